@@ -7,7 +7,7 @@ set(REGARMENT_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports dereferences inside Eigen's and the standard library's inlined code.
   list(APPEND REGARMENT_WARNINGS -Wno-null-dereference -Wno-maybe-uninitialized -Wno-array-bounds
-       -Wno-stringop-overflow)
+       -Wno-stringop-overflow -Wno-restrict)
 endif()
 
 add_library(regarment_options INTERFACE)

@@ -17,10 +17,10 @@ struct MeshReadLimits {
 };
 
 /// Parses the bytes of a mesh file. `name` is used in messages only. Polygons are fanned into
-/// triangles (at most 64 corners a face); a file without faces is a cloud. The order of vertices is the file's own for
-/// PLY, OBJ and OFF; three per facet for STL; the POSITION accessors in node order for glTF.
-/// Throws ReadError naming file, line or byte, and what to do.
-/// Call it through `read_mesh_sandboxed` for files from outside.
+/// triangles (at most 64 corners a face); a file without faces is a cloud. The order of vertices is
+/// the file's own for PLY, OBJ and OFF; three per facet for STL; the POSITION accessors in node
+/// order for glTF. Throws ReadError naming file, line or byte, and what to do. Call it through
+/// `read_mesh_sandboxed` for files from outside.
 Mesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
                 const MeshReadLimits& limits = {});
 

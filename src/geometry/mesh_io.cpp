@@ -1,0 +1,37 @@
+#include "geometry/mesh_io.h"
+
+#include "base/error.h"
+#include "base/one_line.h"
+#include "geometry/mesh_readers.h"
+
+namespace regarment {
+namespace {
+
+// Text readers take LF or CR LF. A file of lone CRs would look like one endless line to them.
+void refuse_lone_carriage_returns(std::string_view file, std::string_view name) {
+  const std::string_view start = file.substr(0, 64 * 1024);
+  if (start.find('\n') == std::string_view::npos && start.find('\r') != std::string_view::npos) {
+    throw ReadError(one_line(name) +
+                    ": line 1: its lines end with CR alone; convert them to LF, as mac2unix does");
+  }
+}
+
+}  // namespace
+
+Mesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
+                const MeshReadLimits& limits) {
+  const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (file.empty()) throw ReadError(one_line(name) + ": the file is empty; export the scan again");
+  MeshBuilder builder(name, limits);
+  switch (format) {
+    case MeshFormat::Ply:
+      refuse_lone_carriage_returns(file, name);
+      read_ply(file, builder);
+      break;
+    default:
+      throw ReadError(one_line(name) + ": this format is not read yet; convert it to PLY");
+  }
+  return builder.finish();
+}
+
+}  // namespace regarment
