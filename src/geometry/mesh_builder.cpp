@@ -7,7 +7,8 @@ namespace regarment {
 namespace {
 
 std::string text(const Place& place) {
-  return (place.unit == Place::Unit::Line ? "line " : "byte ") + std::to_string(place.at);
+  static constexpr const char* kUnits[] = {"line ", "byte ", "part "};
+  return kUnits[static_cast<int>(place.unit)] + std::to_string(place.at);
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ void MeshBuilder::add_face(std::span<const std::int64_t> corners, const Place& p
   if (corners.size() > kMostCorners) refuse_corners(corners.size(), place);
   for (const std::int64_t corner : corners) {
     if (corner < 0 || corner > std::int64_t{0xFFFFFFFE}) {
-      fail(place, "face " + std::to_string(faces_) + " names vertex " + std::to_string(corner) +
+      fail(place, "face " + std::to_string(faces_) + " names vertex " +
+                      std::to_string(corner + first_number_) +
                       ", which no file can hold; export the mesh again");
     }
     if (corner > largest_) {
@@ -82,7 +84,8 @@ Mesh MeshBuilder::finish() {
   const std::size_t vertices = mesh_.positions.size();
   if (largest_ >= static_cast<std::int64_t>(vertices)) {
     fail(largest_place_, "face " + std::to_string(largest_face_) + " names vertex " +
-                             std::to_string(largest_) + " (counted from 0), the file has " +
+                             std::to_string(largest_ + first_number_) + " (counted from " +
+                             std::to_string(first_number_) + "), the file has " +
                              std::to_string(vertices) + "; export the mesh again");
   }
   if (mesh_.normals.size() != vertices) mesh_.normals.clear();

@@ -22,14 +22,27 @@ Mesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string
                 const MeshReadLimits& limits) {
   const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (file.empty()) throw ReadError(one_line(name) + ": the file is empty; export the scan again");
+  if (format == MeshFormat::Ply || format == MeshFormat::Obj || format == MeshFormat::Off) {
+    refuse_lone_carriage_returns(file, name);
+  }
   MeshBuilder builder(name, limits);
   switch (format) {
     case MeshFormat::Ply:
-      refuse_lone_carriage_returns(file, name);
       read_ply(file, builder);
       break;
-    default:
-      throw ReadError(one_line(name) + ": this format is not read yet; convert it to PLY");
+    case MeshFormat::Obj:
+      read_obj(file, builder);
+      break;
+    case MeshFormat::Off:
+      read_off(file, builder);
+      break;
+    case MeshFormat::Stl:
+      read_stl(file, builder);
+      break;
+    case MeshFormat::Glb:
+    case MeshFormat::Gltf:
+      read_gltf(file, builder);
+      break;
   }
   return builder.finish();
 }

@@ -12,5 +12,12 @@ namespace regarment {
 // into `builder.mesh()`; when there is not one per vertex, `finish` drops them.
 
 void read_ply(std::string_view file, MeshBuilder& builder);
+void read_obj(std::string_view file, MeshBuilder& builder);
+void read_off(std::string_view file, MeshBuilder& builder);
+/// STL (text and binary), glTF and GLB, by assimp. Three vertices per facet for STL. For glTF one
+/// run of vertices per primitive, as long as its POSITION accessor, nodes depth first in the
+/// scene's order, moved by the nodes' transforms. No file is ever opened.
+void read_stl(std::string_view file, MeshBuilder& builder);
+void read_gltf(std::string_view file, MeshBuilder& builder);
 
 }  // namespace regarment

@@ -65,11 +65,6 @@ VertexPlan plan_vertices(const PlyElement& element, const MeshBuilder& builder) 
   return plan;
 }
 
-// NaN becomes 0.
-std::uint8_t colour_byte(double value) {
-  return value >= 255.0 ? 255 : value > 0 ? static_cast<std::uint8_t>(value + 0.5) : 0;
-}
-
 template <class Rows>
 std::uint64_t list_length(Rows& rows, const PlyProperty& list, const MeshBuilder& builder) {
   const std::int64_t length = rows.index(list.count_type);
@@ -110,9 +105,7 @@ void read_vertices(Rows& rows, const PlyElement& element, MeshBuilder& builder) 
     rows.end_row();
     builder.add_vertex(v[kX], v[kY], v[kZ], rows.place());
     if (has_normals) builder.add_normal(v[kNx], v[kNy], v[kNz]);
-    if (has_colours) {
-      mesh.colours.push_back({colour_byte(v[kRed]), colour_byte(v[kGreen]), colour_byte(v[kBlue])});
-    }
+    if (has_colours) builder.add_colour(v[kRed], v[kGreen], v[kBlue]);
   }
 }
 
