@@ -1,0 +1,178 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/one_line.h"
+#include "report/version.h"
+
+namespace regarment {
+namespace {
+
+constexpr const char* kHelpFooter =
+    "Exit status: 0 done, 1 internal error, 2 wrong usage, 3 no readable scan or no person,\n"
+    "4 not the garment asked for, 75 a temporary failure worth another try, 130 and 143 stopped.";
+
+void add_speech(CLI::App& command, Speech& speech) {
+  command.add_flag("--quiet", speech.quiet, "No progress on standard error");
+  command.add_flag("--json", speech.json, "The result as JSON on standard output");
+}
+
+// One value a time: "--garment tshirt --garment skirt", never "--garment tshirt skirt".
+CLI::Option* one_each(CLI::Option* option) {
+  return option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::App* add_fit(CLI::App& app, FitArguments& a) {
+  const std::vector<std::string> axes = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"};
+  CLI::App* fit = app.add_subcommand("fit", "Measure the garments of a dressed person in a scan");
+  fit->add_option("SCAN", a.scan, "Mesh or point cloud: PLY, OBJ, OFF, STL, GLB, glTF")->required();
+  one_each(fit->add_option("--garment", a.garments,
+                           "Template name or file; repeat for layers, outermost first"))
+      ->required();
+  fit->add_option("--out", a.out, "Folder for the result")->required();
+  fit->add_flag("--force", a.force, "Replace a folder that is not empty");
+  fit->add_option("--method", a.method, "How to find the dimensions: direct")
+      ->capture_default_str();
+  fit->add_option("--seed", a.seed, "Same seed, same bytes")->capture_default_str();
+  fit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
+      ->check(CLI::Range(1, 256));
+  fit->add_flag("!--no-timing", a.timing,
+                "Leave out times, thread count and paths, so that two runs give the same bytes");
+  fit->add_option("--units", a.units, "Unit of the scan")
+      ->check(CLI::IsMember({"auto", "mm", "cm", "m", "inch"}))
+      ->capture_default_str();
+  fit->add_option("--up", a.up, "Axis of the scan that points up")
+      ->check(CLI::IsMember(axes))
+      ->capture_default_str();
+  fit->add_option("--front", a.front, "Axis of the scan the person faces along")
+      ->check(CLI::IsMember(axes))
+      ->capture_default_str();
+  fit->add_option("--placement", a.placement, "File with a start position that overrides ours");
+  fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
+  fit->add_option("--ground-truth-labels", a.ground_truth_labels,
+                  "True labels, one byte per vertex");
+  add_speech(*fit, a.speech);
+  return fit;
+}
+
+CLI::App* add_report(CLI::App& app, ReportArguments& a) {
+  CLI::App* report = app.add_subcommand("report", "Make the report of a stored result again");
+  report->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
+  add_speech(*report, a.speech);
+  return report;
+}
+
+CLI::App* add_render(CLI::App& app, RenderArguments& a) {
+  CLI::App* render = app.add_subcommand("render", "Draw meshes and clouds from four sides");
+  render->add_option("MESH", a.meshes, "Meshes or point clouds")->required();
+  render->add_option("--out", a.out, "Folder for the pictures")->required();
+  render->add_flag("--force", a.force, "Replace a folder that is not empty");
+  add_speech(*render, a.speech);
+  return render;
+}
+
+CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
+  CLI::App* templates = app.add_subcommand("templates", "List the garment templates, or show one");
+  templates->add_option("NAME", a.name, "Template name or file");
+  add_speech(*templates, a.speech);
+  return templates;
+}
+
+// CLI11 prints an unknown command as an argument it did not expect.
+void check_command_name(int argc, const char* const* argv) {
+  if (argc < 2) throw UsageError("no command; use fit, report, render or templates (--help)");
+  const std::string_view name = argv[1];
+  if (name.starts_with("-")) return;
+  for (const std::string_view known : {"fit", "report", "render", "templates"}) {
+    if (name == known) return;
+  }
+  throw UsageError("'" + one_line(name, 60) +
+                   "' is no command of this version; use fit, report, render or templates");
+}
+
+// A flag that was taken for a value: "--out --force".
+void check_value(const std::string& option, const std::filesystem::path& value) {
+  if (value.empty()) throw UsageError(option + ": the value is empty; give a path");
+  if (value.string().starts_with("--")) {
+    throw UsageError(option + ": '" + one_line(value.string(), 60) +
+                     "' looks like an option; write ./" + one_line(value.string(), 60) +
+                     " for a file of that name");
+  }
+}
+
+void check_method(const std::string& method) {
+  if (method == "direct") return;
+  if (method == "annealing" || method == "joint") {
+    throw UsageError("--method " + method + " does not exist yet; use --method direct");
+  }
+  throw UsageError("--method: '" + one_line(method, 60) + "' is unknown; use --method direct");
+}
+
+void check(const FitArguments& a) {
+  check_method(a.method);
+  check_value("SCAN", a.scan);
+  check_value("--out", a.out);
+  for (const std::string& garment : a.garments) check_value("--garment", garment);
+  if (a.garments.size() > 8) throw UsageError("--garment: more than 8 layers; give fewer");
+  if (a.placement) check_value("--placement", *a.placement);
+  if (a.ground_truth) check_value("--ground-truth", *a.ground_truth);
+  if (a.ground_truth_labels) check_value("--ground-truth-labels", *a.ground_truth_labels);
+  if (a.up != "auto" && a.front != "auto" && a.up.back() == a.front.back()) {
+    throw UsageError("--up " + a.up + " --front " + a.front + ": both along one axis; change one");
+  }
+}
+
+void check(const RenderArguments& a) {
+  check_value("--out", a.out);
+  for (const auto& mesh : a.meshes) check_value("MESH", mesh);
+  if (a.meshes.size() > 1000) throw UsageError("MESH: more than 1000 files; give fewer");
+}
+
+std::string in_one_line(const CLI::ParseError& error, const std::string& command) {
+  std::string text = error.what();
+  if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
+  return one_line(text, 300) + "; see 'regarment " + command + (command.empty() ? "" : " ") +
+         "--help'";
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+  check_command_name(argc, argv);
+  FitArguments fit;
+  ReportArguments report;
+  RenderArguments render;
+  TemplatesArguments templates;
+  CLI::App app("Finds the flat dimensions of garments on 3D scans of dressed people.", "regarment");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "regarment " + version());
+  app.footer(kHelpFooter);
+  CLI::App* fit_app = add_fit(app, fit);
+  CLI::App* report_app = add_report(app, report);
+  CLI::App* render_app = add_render(app, render);
+  add_templates(app, templates);
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->set_version_flag("--version", "regarment " + version());
+    command->footer(kHelpFooter);
+  }
+  const auto used = [&] {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? &app : chosen.front();
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return TextAnswer{used()->help()};
+  } catch (const CLI::CallForVersion&) {
+    return TextAnswer{"regarment " + version() + "\n"};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(in_one_line(error, used() == &app ? "" : used()->get_name()));
+  }
+  if (used() == fit_app) return check(fit), fit;
+  if (used() == report_app) return check_value("DIR", report.folder), report;
+  if (used() == render_app) return check(render), render;
+  return templates;
+}
+
+}  // namespace regarment

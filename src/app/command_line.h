@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace regarment {
+
+/// How a command speaks.
+struct Speech {
+  bool quiet = false;  // no progress on standard error
+  bool json = false;   // the result as JSON on standard output
+};
+
+/// regarment fit SCAN --garment TEMPLATE ... --out DIR
+struct FitArguments {
+  Speech speech;
+  std::filesystem::path scan, out;
+  std::vector<std::string> garments;  // template names or files, outermost first, at least one
+  bool force = false, timing = true;
+  std::string method = "direct", units = "auto", up = "auto", front = "auto";
+  std::uint64_t seed = 1;
+  int threads = 0;  // 0: as many as the machine has
+  std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
+};
+
+/// regarment report DIR
+struct ReportArguments {
+  Speech speech;
+  std::filesystem::path folder;
+};
+
+/// regarment render MESH... --out DIR
+struct RenderArguments {
+  Speech speech;
+  std::vector<std::filesystem::path> meshes;  // at least one
+  std::filesystem::path out;
+  bool force = false;
+};
+
+/// regarment templates [NAME]
+struct TemplatesArguments {
+  Speech speech;
+  std::optional<std::string> name;
+};
+
+/// --help and --version: an answer that needs no work.
+struct TextAnswer {
+  std::string text;
+};
+
+using Command =
+    std::variant<FitArguments, ReportArguments, RenderArguments, TemplatesArguments, TextAnswer>;
+
+/// Reads the command line. Throws UsageError, in one line, on anything it does not know.
+Command parse_command_line(int argc, const char* const* argv);
+
+}  // namespace regarment

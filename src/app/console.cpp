@@ -1,0 +1,76 @@
+#include "app/console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+// False when the reader went away or the place is full; errno tells which.
+bool put(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+Console::Console(const Speech& speech, const StopSignal& stop)
+    : speech_(speech), stop_(stop), terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+Console::~Console() { clear_bar(); }
+
+Progress Console::progress() {
+  return Progress([this](std::string_view stage, double fraction) {
+    if (!speech_.quiet && terminal_) show_bar(stage, fraction);
+    if (!speech_.quiet && !terminal_) show_line(stage, fraction);
+    return !stop_.asked();
+  });
+}
+
+// Off a terminal a stage is told once it is over, so that a run that fails at once says one line.
+void Console::show_line(std::string_view stage, double fraction) {
+  if (stage != stage_ && !stage_.empty()) (void)put(STDERR_FILENO, stage_ + "\n");
+  if (stage != stage_) stage_ = stage;
+  if (fraction < 1.0) return;
+  (void)put(STDERR_FILENO, stage_ + "\n");
+  stage_.clear();
+}
+
+void Console::show_bar(std::string_view stage, double fraction) {
+  constexpr int kWidth = 30;
+  const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+  if (stage == stage_ && percent == percent_) return;
+  stage_ = stage;
+  percent_ = percent;
+  const auto full = static_cast<std::size_t>(kWidth * percent / 100);
+  // Progress nobody reads is no failure.
+  (void)put(STDERR_FILENO,
+            "\r\x1b[K" + std::string(full, '#') + std::string(kWidth - full, '.') + " " + stage_);
+}
+
+void Console::clear_bar() {
+  if (terminal_ && percent_ >= 0) (void)put(STDERR_FILENO, "\r\x1b[K");
+  percent_ = -1;
+}
+
+void Console::say(std::string_view line) const {
+  if (!speech_.quiet && !speech_.json) answer(std::string(line) + "\n");
+}
+
+void Console::answer(std::string_view text) {
+  if (put(STDOUT_FILENO, text) || errno == EPIPE) return;
+  throw TemporaryError(std::string("standard output: cannot be written (") + std::strerror(errno) +
+                       "); send it elsewhere");
+}
+
+}  // namespace regarment

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "report/result.h"
+
+namespace regarment {
+
+/// What the page shows beside the numbers.
+struct PageParts {
+  std::map<std::string, std::string> pictures;  // Figure::file -> bytes of a WebP, JPEG or PNG
+  std::vector<std::string> drawings;            // one SVG per garment, passed by check_drawing
+};
+
+/// The whole report as one HTML file that requests nothing. Depends on its arguments alone, so a
+/// stored result gives the same bytes again. Throws ReadError when a picture is missing or is not
+/// what its name says.
+std::string report_page(const Result& result, const PageParts& parts);
+
+}  // namespace regarment

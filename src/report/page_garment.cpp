@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+
+#include "report/page_parts.h"
+#include "report/text.h"
+
+namespace regarment {
+namespace {
+
+constexpr double kCentimetre = 0.01;  // m
+
+std::string cm(double value_cm) { return cm_text(value_cm * kCentimetre); }
+std::string cm(const std::optional<double>& value_cm) { return value_cm ? cm(*value_cm) : ""; }
+
+// The little interval drawings share one scale: half of their width, cm.
+double half_scale(const ResultGarment& garment) {
+  double half = 0.5;
+  for (const ResultMeasurement& m : garment.measurements) {
+    if (!m.observable) continue;
+    half = std::max({half, m.value_cm - m.low_cm, m.high_cm - m.value_cm});
+    if (const auto error = m.error_cm()) half = std::max(half, std::min(std::abs(*error), 5.0));
+  }
+  return half;
+}
+
+constexpr double kPlotMiddle = 48.0;  // px, and half of what the drawing may take
+constexpr double kPlotReach = 42.0;
+
+std::string plot_x(double offset_cm, double half) {
+  return fixed_text(kPlotMiddle + kPlotReach * std::clamp(offset_cm / half, -1.05, 1.05), 1);
+}
+
+void view_interval(const ResultMeasurement& m, double half, View& row) {
+  row.set("low", cm(m.low_cm));
+  row.set("high", cm(m.high_cm));
+  row.set("low_x", plot_x(m.low_cm - m.value_cm, half));
+  row.set("high_x", plot_x(m.high_cm - m.value_cm, half));
+  row.set("has_truth_x", m.truth_cm.has_value());
+  if (m.truth_cm) row.set("truth_x", plot_x(*m.truth_cm - m.value_cm, half));
+}
+
+void view_judgement(const ResultMeasurement& m, View& row) {
+  const std::optional<bool> within = m.within_tolerance();
+  const bool has_tolerance = m.tol_minus_cm || m.tol_plus_cm;
+  row.set_maybe("truth", cm(m.truth_cm));
+  row.set_maybe("published", cm(m.published_cm));
+  const auto error = m.error_cm();
+  row.set_maybe("error", error ? signed_cm_text(*error * kCentimetre) : "");
+  row.set_maybe("tolerance", has_tolerance ? "\u2212" + cm(m.tol_minus_cm.value_or(0.0)) + " / +" +
+                                                 cm(m.tol_plus_cm.value_or(0.0))
+                                           : "");
+  row.set("pass", within.has_value() && *within);
+  row.set("fail", within.has_value() && !*within);
+  row.set("not_judged", !within.has_value() && m.observable);
+}
+
+View view_measurement(const ResultGarment& garment, const ResultMeasurement& m, double half) {
+  View row;
+  row.set("id", garment.template_name + "-" + std::to_string(garment.layer) + "-" + m.code);
+  row.set("code", m.code);
+  row.set("title", m.title);
+  row.set("how", m.how_to_measure);
+  row.set("definition", m.definition);
+  row.set("value", cm(m.value_cm));
+  row.set_maybe("half", m.circumference ? cm(m.value_cm / 2.0) : "");
+  row.set_maybe("worn", cm(m.worn_cm));
+  row.set("observable", m.observable);
+  row.set("hidden", !m.observable);
+  view_interval(m, half, row);
+  view_judgement(m, row);
+  return row;
+}
+
+View view_edge(const ResultEdge& edge) {
+  View row;
+  std::string name = edge.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  row.set("name", name);
+  row.set("evidence", edge.evidence);
+  row.set("standard_error", fixed_text(edge.standard_error_mm, 1));
+  row.set("coverage", fixed_text(std::floor(edge.coverage * 100.0), 0));
+  row.set("length", cm(edge.length_cm));
+  row.set("height", cm(edge.height_cm));
+  return row;
+}
+
+bool any(const ResultGarment& garment, bool (*has)(const ResultMeasurement&)) {
+  return std::any_of(garment.measurements.begin(), garment.measurements.end(), has);
+}
+
+// Where the drawing's own size in millimetres is left, a page for a phone cannot show it.
+std::string scalable(std::string svg) {
+  const std::size_t begin = svg.find("<svg");
+  const std::size_t end = svg.find('>', begin);
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  std::string head = svg.substr(begin, end - begin);
+  for (const std::string name : {" width=\"", " height=\""}) {
+    const std::size_t from = head.find(name);
+    if (from == std::string::npos) continue;
+    const std::size_t to = head.find('"', from + name.size());
+    if (to != std::string::npos) head.erase(from, to - from + 1);
+  }
+  return head + svg.substr(end);
+}
+
+}  // namespace
+
+View view_garment(const ResultGarment& garment, const std::string& drawing) {
+  View view;
+  view.set("name", garment.title);
+  view.set("template", garment.template_name);
+  view.set("layer", std::to_string(garment.layer));
+  const double half = half_scale(garment);
+  std::vector<View> rows;
+  for (const ResultMeasurement& m : garment.measurements) {
+    rows.push_back(view_measurement(garment, m, half));
+  }
+  const bool has_truth = any(garment, [](const auto& m) { return m.truth_cm.has_value(); });
+  view.set("measurements", std::move(rows));
+  view.set("with_truth", has_truth);
+  view.set("with_published",
+           any(garment, [](const auto& m) { return m.published_cm.has_value(); }));
+  view.set("with_tolerance", has_truth && any(garment, [](const auto& m) {
+                               return m.tol_minus_cm.has_value() || m.tol_plus_cm.has_value();
+                             }));
+  view.set("with_hidden", any(garment, [](const auto& m) { return !m.observable; }));
+  std::vector<View> edges;
+  for (const ResultEdge& edge : garment.edges) edges.push_back(view_edge(edge));
+  view.set("has_edges", !edges.empty());
+  view.set("edges", std::move(edges));
+  view.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
+  view.set("stretch", fixed_text((garment.mean_stretch - 1.0) * 100.0, 1));
+  view.set("drawing", scalable(drawing));
+  return view;
+}
+
+}  // namespace regarment

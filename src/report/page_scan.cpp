@@ -1,0 +1,113 @@
+#include <cmath>
+
+#include "report/page_parts.h"
+#include "report/text.h"
+
+namespace regarment {
+namespace {
+
+View fact(const std::string& name, const std::string& value, const std::string& note = "") {
+  View view;
+  view.set("name", name);
+  view.set("value", value);
+  view.set_maybe("note", note);
+  return view;
+}
+
+std::string guessed(bool is_guess, const std::string& option) {
+  return is_guess ? "found from the shape; overrule with " + option : "as given";
+}
+
+std::string front_note(const ResultScan& scan) {
+  if (!scan.front_guessed) return "as given";
+  return "found from the shape, " + fixed_text(std::floor(scan.front_confidence * 100.0), 0) +
+         "\u202f% sure; overrule with --front";
+}
+
+std::string kind(const ResultScan& scan) {
+  if (scan.triangles == 0) return "point cloud, " + count_text(scan.vertices) + " points";
+  return "mesh, " + count_text(scan.vertices) + " vertices, " + count_text(scan.triangles) +
+         " triangles";
+}
+
+std::string share(std::size_t count, std::size_t of) {
+  if (of == 0) return "0";
+  return fixed_text(100.0 * static_cast<double>(count) / static_cast<double>(of), 1);
+}
+
+View label_row(const std::string& name, std::size_t count, const Result& result, int index) {
+  View row;
+  row.set("name", name);
+  row.set("count", count_text(count));
+  row.set("share", share(count, result.scan.vertices));
+  row.set("swatch", std::to_string(index));
+  const LabelScore* score = result.label_score ? &*result.label_score : nullptr;
+  const auto at = static_cast<std::size_t>(index);
+  const bool scored = score != nullptr && at < score->iou.size() && score->iou[at].has_value();
+  row.set_maybe("iou", scored ? fixed_text(*score->iou[at], 3) : "");
+  return row;
+}
+
+}  // namespace
+
+void view_scan(const Result& result, View& page) {
+  const ResultScan& scan = result.scan;
+  std::vector<View> facts = {
+      fact("File", scan.file),
+      fact("Kind", kind(scan)),
+      fact("Units", scan.units, guessed(scan.units_guessed, "--units")),
+      fact("Up", scan.up, guessed(scan.up_guessed, "--up")),
+      fact("Front", scan.front, front_note(scan)),
+      fact("Height", fixed_text(scan.height_cm, 1) + " cm", "floor to the top of the head"),
+      fact("Point spacing", fixed_text(scan.spacing_mm, 1) + " mm", "median"),
+      fact("Noise", fixed_text(scan.noise_mm, 1) + " mm",
+           "standard deviation about the local surface"),
+      fact("Outliers", count_text(scan.outliers), "vertices kept out of every measurement"),
+  };
+  if (scan.triangles > 0) {
+    facts.push_back(fact("Open borders", count_text(scan.holes)));
+    facts.push_back(
+        fact("Caps", count_text(scan.caps), "triangles of invented surface that close a hem"));
+  }
+  for (const auto& [name, height] : result.landmarks_cm) {
+    std::string title = name;
+    for (char& c : title) c = c == '_' ? ' ' : c;
+    facts.push_back(fact("Level of " + title, fixed_text(height, 1) + " cm", "above the floor"));
+  }
+  page.set("scan_facts", std::move(facts));
+}
+
+void view_labels(const Result& result, View& page) {
+  std::vector<View> rows = {label_row("Person", result.person, result, 0)};
+  for (std::size_t i = 0; i < result.garments.size() && i < result.garment_counts.size(); ++i) {
+    rows.push_back(label_row(result.garments[i].title, result.garment_counts[i], result,
+                             static_cast<int>(i) + 1));
+  }
+  page.set("labels", std::move(rows));
+  page.set("unsure", count_text(result.unsure));
+  page.set("unsure_share", share(result.unsure, result.scan.vertices));
+  page.set("has_label_score", result.label_score.has_value());
+  if (!result.label_score) return;
+  page.set("mean_iou", fixed_text(result.label_score->mean_iou, 3));
+  page.set("accuracy", fixed_text(result.label_score->accuracy * 100.0, 1));
+  page.set("scored", count_text(result.label_score->scored));
+}
+
+void view_settings(const Result& result, View& page) {
+  std::vector<View> settings = {fact("Program", "regarment " + result.version),
+                                fact("Method", result.method),
+                                fact("Seed", std::to_string(result.seed))};
+  if (result.threads) settings.push_back(fact("Threads", std::to_string(*result.threads)));
+  for (const auto& [name, value] : result.options) settings.push_back(fact("--" + name, value));
+  settings.push_back(fact("SHA-256 of the scan", result.scan.sha256));
+  page.set("settings", std::move(settings));
+  page.set("command", result.command);
+  std::vector<View> times;
+  for (const auto& [stage, seconds] : result.timing_s) {
+    times.push_back(fact(stage, fixed_text(seconds, 3)));
+  }
+  page.set("has_times", !times.empty());
+  page.set("times", std::move(times));
+}
+
+}  // namespace regarment

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/analysis.h"
+#include "report/result.h"
+
+namespace regarment {
+
+/// Pictures of an analysis: what each shows, and its bytes by Figure::file.
+struct Pictures {
+  std::vector<Figure> figures;
+  std::map<std::string, std::string> bytes;
+};
+
+/// Draws the scan, its segmentation, the placement and the garments on the scan, each from four
+/// sides at one scale, so that pictures of one side lie exactly over each other. About 900 KB in
+/// all. Reports its progress as the stage "draw".
+Pictures draw_pictures(const Analysis& analysis, const Progress& progress);
+
+}  // namespace regarment

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/analysis.h"
+#include "base/progress.h"
+#include "report/pictures.h"
+#include "report/result.h"
+
+namespace regarment {
+
+/// Every file of a result folder, by its name in it.
+using ReportFiles = std::map<std::string, std::string>;
+
+/// All files of an analysis: report.html, result.json, measurements.csv, labels.u8, segmented.ply,
+/// pictures/..., and per garment I garment-I.ply, pattern-I.json and pattern-I.svg. `templates` are
+/// those of the garments, in their order. Depends on its arguments alone.
+ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
+                         const ReportOptions& options, const Pictures& pictures);
+
+/// Draws the pictures, makes the files and puts them into the folder `place`, which appears whole
+/// or not at all (OutputFolder says where it may stand and what is thrown). Returns the text of
+/// result.json.
+std::string write_report_folder(const Analysis& analysis,
+                                const std::vector<GarmentTemplate>& templates,
+                                const ReportOptions& options, const std::filesystem::path& place,
+                                bool replace, const Progress& progress);
+
+/// Makes report.html of a stored result again, with the bytes `fit` gave it, and puts it in place
+/// in one step. Returns its path. Throws UsageError when `folder` holds no result, ReadError when
+/// what it holds is not what `fit` writes.
+std::filesystem::path remake_report(const std::filesystem::path& folder);
+
+}  // namespace regarment

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace regarment {
+
+/// A length in centimetres with one digit: 0.5437 m is "54.4". Never "-0.0".
+std::string cm_text(double metres);
+
+/// The same with its sign, the minus as U+2212: "+1.2", "−0.4", "0.0".
+std::string signed_cm_text(double metres);
+
+/// Fixed digits after the point, whatever the locale; "-0.0" becomes "0.0".
+std::string fixed_text(double value, int digits);
+
+/// A count with thin groups of three: 131072 is "131 072" (narrow no-break spaces).
+std::string count_text(std::size_t count);
+
+/// One argument as a POSIX shell reads it back: `a b` is `'a b'`, `skirt` stays.
+std::string shell_quoted(std::string_view argument);
+
+/// Bytes in base64, for data: addresses.
+std::string base64(std::string_view bytes);
+
+/// `value` with at most `digits` decimals, for files where more would be noise. Never -0.
+double rounded(double value, int digits);
+
+}  // namespace regarment

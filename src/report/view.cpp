@@ -1,0 +1,40 @@
+#include "report/view.h"
+
+#include <kainjow/mustache.hpp>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+mustache::data data_of(const View& view);
+
+struct ToData {
+  mustache::data operator()(const std::string& text) const { return text; }
+  mustache::data operator()(bool yes) const {
+    return yes ? mustache::data::type::bool_true : mustache::data::type::bool_false;
+  }
+  mustache::data operator()(const std::vector<View>& views) const {
+    mustache::data list(mustache::data::type::list);
+    for (const View& view : views) list.push_back(data_of(view));
+    return list;
+  }
+};
+
+mustache::data data_of(const View& view) {
+  mustache::data object(mustache::data::type::object);
+  for (const auto& [name, value] : view.values) object.set(name, std::visit(ToData{}, value));
+  return object;
+}
+
+}  // namespace
+
+std::string fill_template(const std::string& text, const View& view) {
+  mustache::mustache page(text);
+  if (!page.is_valid()) throw InvalidInput("page template: " + page.error_message());
+  return page.render(data_of(view));
+}
+
+}  // namespace regarment
