@@ -24,6 +24,9 @@ endif()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
+# One code model for libraries and programs, or the programs could not use the compiled headers.
+set(CMAKE_CXX_COMPILE_OPTIONS_PIE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
+
 # The standard headers and Eigen, compiled once for all libraries and tests.
 file(WRITE ${CMAKE_BINARY_DIR}/pch.cpp "")
 add_library(regarment_pch OBJECT ${CMAKE_BINARY_DIR}/pch.cpp)
