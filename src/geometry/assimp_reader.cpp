@@ -120,7 +120,7 @@ void read_stl(std::string_view file, MeshBuilder& builder) {
 
 void read_gltf(std::string_view file, MeshBuilder& builder) {
   // assimp reads such meshes as zeros.
-  for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+  for (const char* packed : {"\"KHR_draco_mesh_compression\"", "\"EXT_meshopt_compression\""}) {
     if (file.find(packed) == std::string_view::npos) continue;
     builder.fail(
         {Place::Unit::Byte, file.find(packed)},
