@@ -12,13 +12,23 @@ function(embed_text output)
     file(SIZE ${file} size)
     string(APPEND entries "    {\"${name}\", std::string(\n${hex}      , ${size})},\n")
   endforeach()
-  set(text "// Made by cmake/embed_text.cmake.\n#include \"report/embedded.h\"\n\n#include <map>\n\n"
-      "#include \"base/error.h\"\n\nnamespace regarment {\n\n"
-      "const std::string& embedded_text(const std::string& name) {\n"
-      "  static const std::map<std::string, std::string> texts = {\n${entries}  };\n"
-      "  const auto found = texts.find(name);\n"
-      "  if (found == texts.end()) throw InvalidInput(\"no text '\" + name + \"' is compiled in\");\n"
-      "  return found->second;\n}\n\n}  // namespace regarment\n")
-  string(JOIN "" text ${text})
-  file(CONFIGURE OUTPUT ${output} CONTENT "${text}" @ONLY ESCAPE_QUOTES)
+  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT "// Made by cmake/embed_text.cmake.
+#include \"report/embedded.h\"
+
+#include <map>
+
+#include \"base/error.h\"
+
+namespace regarment {
+
+const std::string& embedded_text(const std::string& name) {
+  static const std::map<std::string, std::string> texts = {
+${entries}  };
+  const auto found = texts.find(name);
+  if (found == texts.end()) throw InvalidInput(\"no text '\" + name + \"' is compiled in\");
+  return found->second;
+}
+
+}  // namespace regarment
+")
 endfunction()

@@ -141,9 +141,11 @@ std::optional<double> CsvTable::number(std::size_t row, std::string_view column)
   const std::string_view text = cell(row, column);
   if (text.empty()) return std::nullopt;
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  double value = 0.0;
+  double value = std::nan("");
   const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end.ec != std::errc() || end.ptr != digits.data() + digits.size() || !std::isfinite(value)) {
+  const bool two_signs = text.starts_with("+-");
+  if (two_signs || end.ec != std::errc() || end.ptr != digits.data() + digits.size() ||
+      !std::isfinite(value)) {
     throw ReadError(where(row, column) + ": '" + one_line(text.substr(0, 40)) +
                     "' is not a number; write it like 54.5");
   }

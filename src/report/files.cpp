@@ -35,11 +35,11 @@ class File {
 void check_regular(const File& file, const std::filesystem::path& path) {
   struct stat status {};
   if (!file.is_open()) {
-    throw UsageError(path.string() + ": cannot be opened (" + std::strerror(errno) +
-                     "); check the name and its permissions");
+    throw ReadError(path.string() + ": cannot be opened (" + std::strerror(errno) +
+                    "); check the name and its permissions");
   }
   if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw UsageError(path.string() + ": is not a regular file; give a file");
+    throw ReadError(path.string() + ": is not a regular file; give a file");
   }
 }
 

@@ -7,8 +7,8 @@
 namespace regarment {
 
 /// The bytes of a regular file, at most `max_bytes` of them: a longer file gives `max_bytes`, which
-/// callers that care notice by asking for one more than they take. Throws UsageError when there is
-/// no such file, it is a folder or a device, or may not be read; ReadError when reading fails.
+/// callers that care notice by asking for one more than they take. Throws ReadError when there is
+/// no such file, it is a folder or a device, or may not be read.
 std::string read_file(const std::filesystem::path& file, std::size_t max_bytes);
 
 /// Writes a new file. Throws TemporaryError when the disk is full, UsageError when the place is not

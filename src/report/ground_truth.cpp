@@ -160,7 +160,7 @@ void apply_ground_truth(const std::vector<TruthRow>& rows, const std::string& ta
 
 void apply_ground_truth_file(const fs::path& table, const fs::path& scan, Analysis& analysis) {
   const std::string name = table.filename().string();
-  const CsvTable cells = CsvTable::parse(read_file(table, 16u << 20), name);
+  const CsvTable cells = CsvTable::parse(read_file(table, (16u << 20) + 1), name);
   const auto rows = rows_of_scan(truth_rows(cells), table.parent_path(), scan);
   if (rows.empty()) {
     throw UsageError(name + ": no row is about the scan " + scan.filename().string() +

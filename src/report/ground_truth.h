@@ -42,7 +42,7 @@ void apply_ground_truth(const std::vector<TruthRow>& rows, const std::string& ta
                         Analysis& analysis);
 
 /// Reads a table and applies what it says about `scan`. The table is a file of at most 16 MiB;
-/// UsageError when it is not there or says nothing about this scan.
+/// throws ReadError when it cannot be read, UsageError when it says nothing about this scan.
 void apply_ground_truth_file(const std::filesystem::path& table, const std::filesystem::path& scan,
                              Analysis& analysis);
 

@@ -53,7 +53,10 @@ fs::path resolved(const fs::path& place) {
   std::error_code error;
   fs::path absolute = fs::absolute(place, error).lexically_normal();
   if (!absolute.has_filename()) absolute = absolute.parent_path();
-  if (fs::is_symlink(absolute, error)) absolute = fs::weakly_canonical(absolute, error);
+  if (error) throw_write_error(place, error.value());
+  std::error_code ignored;
+  if (!fs::is_symlink(absolute, ignored)) return absolute;
+  absolute = fs::weakly_canonical(absolute, error);
   if (error) throw_write_error(place, error.value());
   return absolute;
 }

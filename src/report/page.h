@@ -10,8 +10,9 @@ namespace regarment {
 
 /// What the page shows beside the numbers.
 struct PageParts {
-  std::map<std::string, std::string> pictures;  // Figure::file -> bytes of a WebP, JPEG or PNG
-  std::vector<std::string> drawings;            // one SVG per garment, passed by check_drawing
+  std::map<std::string, std::string>
+      pictures;                       // StoredFigure::file -> bytes of a WebP, JPEG or PNG
+  std::vector<std::string> drawings;  // one SVG per garment, passed by check_drawing
 };
 
 /// The whole report as one HTML file that requests nothing. Depends on its arguments alone, so a

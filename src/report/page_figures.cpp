@@ -17,7 +17,7 @@ constexpr std::array<Look, 4> kLooks = {{
     {"scan", "Scan", "The scan as it was read."},
     {"segmentation", "Segmentation", "Each vertex in the colour of its label; grey is the person."},
     {"placement", "Placement", "Where the garment starts, before it is laid on the scan."},
-    {"garment", "Garment", "The garment found, laid on the scan."},
+    {"drape", "Garment", "The garment found, laid on the scan."},
 }};
 
 std::string media_type(const std::string& file, std::string_view bytes) {
@@ -29,41 +29,41 @@ std::string media_type(const std::string& file, std::string_view bytes) {
   throw ReadError(file + ": is not the picture its name says; run 'regarment fit' again");
 }
 
-View view_figure(const Figure& figure, const Look& look, const PageParts& parts,
+Gaps show_figure(const StoredFigure& figure, const Look& look, const PageParts& parts,
                  const std::string& subject) {
   const auto bytes = parts.pictures.find(figure.file);
   if (bytes == parts.pictures.end()) {
     throw ReadError(figure.file + ": the picture is missing; run 'regarment fit' again");
   }
-  View view;
-  view.set("source",
+  Gaps gaps;
+  gaps.set("source",
            "data:" + media_type(figure.file, bytes->second) + ";base64," + base64(bytes->second));
-  view.set("view", figure.view);
-  view.set("alt", std::string(look.title) + " of " + subject + ", seen from the " + figure.view);
-  view.set("width", std::to_string(figure.width));
-  view.set("height", std::to_string(figure.height));
-  return view;
+  gaps.set("view", figure.view);
+  gaps.set("alt", std::string(look.title) + " of " + subject + ", seen from the " + figure.view);
+  gaps.set("width", std::to_string(figure.width));
+  gaps.set("height", std::to_string(figure.height));
+  return gaps;
 }
 
 }  // namespace
 
-void view_figures(const Result& result, const PageParts& parts, View& page) {
-  std::vector<View> before, after;
+void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
+  std::vector<Gaps> before, after;
   for (const Look& look : kLooks) {
-    std::vector<View> figures;
-    for (const Figure& figure : result.figures) {
+    std::vector<Gaps> figures;
+    for (const StoredFigure& figure : result.figures) {
       if (figure.kind == look.kind) {
-        figures.push_back(view_figure(figure, look, parts, result.scan.file));
+        figures.push_back(show_figure(figure, look, parts, result.scan.file));
       }
     }
     if (figures.empty()) continue;
-    std::vector<View>& row = std::string_view(look.kind) == "scan" ? before : after;
-    View& view = row.emplace_back();
-    view.set("kind", look.kind);
-    view.set("name", look.title);
-    view.set("caption", look.caption);
-    view.set("first", row.size() == 1);
-    view.set("figures", std::move(figures));
+    std::vector<Gaps>& row = std::string_view(look.kind) == "scan" ? before : after;
+    Gaps& gaps = row.emplace_back();
+    gaps.set("kind", look.kind);
+    gaps.set("name", look.title);
+    gaps.set("caption", look.caption);
+    gaps.set("first", row.size() == 1);
+    gaps.set("figures", std::move(figures));
   }
   page.set("has_figures", !before.empty() || !after.empty());
   page.set("before", std::move(before));

@@ -30,7 +30,7 @@ std::string plot_x(double offset_cm, double half) {
   return fixed_text(kPlotMiddle + kPlotReach * std::clamp(offset_cm / half, -1.05, 1.05), 1);
 }
 
-void view_interval(const ResultMeasurement& m, double half, View& row) {
+void show_interval(const ResultMeasurement& m, double half, Gaps& row) {
   row.set("low", cm(m.low_cm));
   row.set("high", cm(m.high_cm));
   row.set("low_x", plot_x(m.low_cm - m.value_cm, half));
@@ -39,7 +39,7 @@ void view_interval(const ResultMeasurement& m, double half, View& row) {
   if (m.truth_cm) row.set("truth_x", plot_x(*m.truth_cm - m.value_cm, half));
 }
 
-void view_judgement(const ResultMeasurement& m, View& row) {
+void show_judgement(const ResultMeasurement& m, Gaps& row) {
   const std::optional<bool> within = m.within_tolerance();
   const bool has_tolerance = m.tol_minus_cm || m.tol_plus_cm;
   row.set_maybe("truth", cm(m.truth_cm));
@@ -54,8 +54,8 @@ void view_judgement(const ResultMeasurement& m, View& row) {
   row.set("not_judged", !within.has_value() && m.observable);
 }
 
-View view_measurement(const ResultGarment& garment, const ResultMeasurement& m, double half) {
-  View row;
+Gaps show_measurement(const ResultGarment& garment, const ResultMeasurement& m, double half) {
+  Gaps row;
   row.set("id", garment.template_name + "-" + std::to_string(garment.layer) + "-" + m.code);
   row.set("code", m.code);
   row.set("title", m.title);
@@ -66,13 +66,13 @@ View view_measurement(const ResultGarment& garment, const ResultMeasurement& m, 
   row.set_maybe("worn", cm(m.worn_cm));
   row.set("observable", m.observable);
   row.set("hidden", !m.observable);
-  view_interval(m, half, row);
-  view_judgement(m, row);
+  show_interval(m, half, row);
+  show_judgement(m, row);
   return row;
 }
 
-View view_edge(const ResultEdge& edge) {
-  View row;
+Gaps show_edge(const ResultEdge& edge) {
+  Gaps row;
   std::string name = edge.name;
   std::replace(name.begin(), name.end(), '_', ' ');
   row.set("name", name);
@@ -105,33 +105,33 @@ std::string scalable(std::string svg) {
 
 }  // namespace
 
-View view_garment(const ResultGarment& garment, const std::string& drawing) {
-  View view;
-  view.set("name", garment.title);
-  view.set("template", garment.template_name);
-  view.set("layer", std::to_string(garment.layer));
+Gaps show_garment(const ResultGarment& garment, const std::string& drawing) {
+  Gaps gaps;
+  gaps.set("name", garment.title);
+  gaps.set("template", garment.template_name);
+  gaps.set("layer", std::to_string(garment.layer));
   const double half = half_scale(garment);
-  std::vector<View> rows;
+  std::vector<Gaps> rows;
   for (const ResultMeasurement& m : garment.measurements) {
-    rows.push_back(view_measurement(garment, m, half));
+    rows.push_back(show_measurement(garment, m, half));
   }
   const bool has_truth = any(garment, [](const auto& m) { return m.truth_cm.has_value(); });
-  view.set("measurements", std::move(rows));
-  view.set("with_truth", has_truth);
-  view.set("with_published",
+  gaps.set("measurements", std::move(rows));
+  gaps.set("with_truth", has_truth);
+  gaps.set("with_published",
            any(garment, [](const auto& m) { return m.published_cm.has_value(); }));
-  view.set("with_tolerance", has_truth && any(garment, [](const auto& m) {
+  gaps.set("with_tolerance", has_truth && any(garment, [](const auto& m) {
                                return m.tol_minus_cm.has_value() || m.tol_plus_cm.has_value();
                              }));
-  view.set("with_hidden", any(garment, [](const auto& m) { return !m.observable; }));
-  std::vector<View> edges;
-  for (const ResultEdge& edge : garment.edges) edges.push_back(view_edge(edge));
-  view.set("has_edges", !edges.empty());
-  view.set("edges", std::move(edges));
-  view.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
-  view.set("stretch", fixed_text((garment.mean_stretch - 1.0) * 100.0, 1));
-  view.set("drawing", scalable(drawing));
-  return view;
+  gaps.set("with_hidden", any(garment, [](const auto& m) { return !m.observable; }));
+  std::vector<Gaps> edges;
+  for (const ResultEdge& edge : garment.edges) edges.push_back(show_edge(edge));
+  gaps.set("has_edges", !edges.empty());
+  gaps.set("edges", std::move(edges));
+  gaps.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
+  gaps.set("stretch", fixed_text((garment.mean_stretch - 1.0) * 100.0, 1));
+  gaps.set("drawing", scalable(drawing));
+  return gaps;
 }
 
 }  // namespace regarment

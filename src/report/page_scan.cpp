@@ -6,12 +6,12 @@
 namespace regarment {
 namespace {
 
-View fact(const std::string& name, const std::string& value, const std::string& note = "") {
-  View view;
-  view.set("name", name);
-  view.set("value", value);
-  view.set_maybe("note", note);
-  return view;
+Gaps fact(const std::string& name, const std::string& value, const std::string& note = "") {
+  Gaps gaps;
+  gaps.set("name", name);
+  gaps.set("value", value);
+  gaps.set_maybe("note", note);
+  return gaps;
 }
 
 std::string guessed(bool is_guess, const std::string& option) {
@@ -35,8 +35,8 @@ std::string share(std::size_t count, std::size_t of) {
   return fixed_text(100.0 * static_cast<double>(count) / static_cast<double>(of), 1);
 }
 
-View label_row(const std::string& name, std::size_t count, const Result& result, int index) {
-  View row;
+Gaps label_row(const std::string& name, std::size_t count, const Result& result, int index) {
+  Gaps row;
   row.set("name", name);
   row.set("count", count_text(count));
   row.set("share", share(count, result.scan.vertices));
@@ -50,9 +50,9 @@ View label_row(const std::string& name, std::size_t count, const Result& result,
 
 }  // namespace
 
-void view_scan(const Result& result, View& page) {
+void show_scan(const Result& result, Gaps& page) {
   const ResultScan& scan = result.scan;
-  std::vector<View> facts = {
+  std::vector<Gaps> facts = {
       fact("File", scan.file),
       fact("Kind", kind(scan)),
       fact("Units", scan.units, guessed(scan.units_guessed, "--units")),
@@ -77,8 +77,8 @@ void view_scan(const Result& result, View& page) {
   page.set("scan_facts", std::move(facts));
 }
 
-void view_labels(const Result& result, View& page) {
-  std::vector<View> rows = {label_row("Person", result.person, result, 0)};
+void show_labels(const Result& result, Gaps& page) {
+  std::vector<Gaps> rows = {label_row("Person", result.person, result, 0)};
   for (std::size_t i = 0; i < result.garments.size() && i < result.garment_counts.size(); ++i) {
     rows.push_back(label_row(result.garments[i].title, result.garment_counts[i], result,
                              static_cast<int>(i) + 1));
@@ -93,8 +93,8 @@ void view_labels(const Result& result, View& page) {
   page.set("scored", count_text(result.label_score->scored));
 }
 
-void view_settings(const Result& result, View& page) {
-  std::vector<View> settings = {fact("Program", "regarment " + result.version),
+void show_settings(const Result& result, Gaps& page) {
+  std::vector<Gaps> settings = {fact("Program", "regarment " + result.version),
                                 fact("Method", result.method),
                                 fact("Seed", std::to_string(result.seed))};
   if (result.threads) settings.push_back(fact("Threads", std::to_string(*result.threads)));
@@ -102,7 +102,7 @@ void view_settings(const Result& result, View& page) {
   settings.push_back(fact("SHA-256 of the scan", result.scan.sha256));
   page.set("settings", std::move(settings));
   page.set("command", result.command);
-  std::vector<View> times;
+  std::vector<Gaps> times;
   for (const auto& [stage, seconds] : result.timing_s) {
     times.push_back(fact(stage, fixed_text(seconds, 3)));
   }

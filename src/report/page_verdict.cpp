@@ -76,7 +76,7 @@ std::string against_truth(const Tally& all) {
 
 }  // namespace
 
-void view_verdict(const Result& result, View& page) {
+void show_verdict(const Result& result, Gaps& page) {
   Tally all = tally(result);
   const bool clear = all.observable == all.dimensions && result.warnings.empty();
   page.set("title", names(result));
@@ -88,10 +88,10 @@ void view_verdict(const Result& result, View& page) {
   page.set("found", of(all.observable, all.dimensions) + " dimensions measured");
   page.set("sureness", sureness(result, all));
   page.set_maybe("against_truth", against_truth(all));
-  std::vector<View> warnings;
+  std::vector<Gaps> warnings;
   for (const std::string& warning : result.warnings) {
-    View& view = warnings.emplace_back();
-    view.set("text", warning);
+    Gaps& gaps = warnings.emplace_back();
+    gaps.set("text", warning);
   }
   page.set("has_warnings", !warnings.empty());
   page.set("warnings", std::move(warnings));

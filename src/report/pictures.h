@@ -9,9 +9,9 @@
 
 namespace regarment {
 
-/// Pictures of an analysis: what each shows, and its bytes by Figure::file.
+/// Pictures of an analysis: what each shows, and its bytes by StoredFigure::file.
 struct Pictures {
-  std::vector<Figure> figures;
+  std::vector<StoredFigure> figures;
   std::map<std::string, std::string> bytes;
 };
 

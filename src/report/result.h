@@ -61,8 +61,8 @@ struct ResultScan {
 };
 
 /// A picture stored beside result.json.
-struct Figure {
-  std::string kind;           // "scan", "segmentation", "placement", "garment"
+struct StoredFigure {
+  std::string kind;           // "scan", "segmentation", "placement", "drape"
   std::string view;           // "front", "left", "back", "right"
   std::string file;           // "pictures/scan-front.webp"
   int width = 0, height = 0;  // pixels
@@ -81,7 +81,7 @@ struct Result {
   std::optional<LabelScore> label_score;
   std::vector<std::pair<std::string, double>> landmarks_cm;
   std::vector<std::string> warnings;
-  std::vector<Figure> figures;
+  std::vector<StoredFigure> figures;
   std::vector<std::pair<std::string, double>>
       timing_s;  // stages, then "total"; empty without timing
 };

@@ -110,7 +110,7 @@ Json segmentation_json(const Result& r) {
   return out;
 }
 
-Json figure_json(const Figure& f) {
+Json figure_json(const StoredFigure& f) {
   return {{"kind", f.kind},
           {"view", f.view},
           {"file", f.file},
@@ -215,7 +215,7 @@ void read_segmentation(const Json& j, Result& r) {
 std::string result_json(const Result& r) {
   Json garments = Json::array(), figures = Json::array();
   for (const ResultGarment& g : r.garments) garments.push_back(garment_json(g));
-  for (const Figure& f : r.figures) figures.push_back(figure_json(f));
+  for (const StoredFigure& f : r.figures) figures.push_back(figure_json(f));
   Json out = {{"schema", "regarment.result/1"},
               {"program", program_json(r)},
               {"scan", scan_json(r.scan)},

@@ -1,4 +1,4 @@
-#include "report/view.h"
+#include "report/gaps.h"
 
 #include <kainjow/mustache.hpp>
 
@@ -9,32 +9,32 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-mustache::data data_of(const View& view);
+mustache::data data_of(const Gaps& gaps);
 
 struct ToData {
   mustache::data operator()(const std::string& text) const { return text; }
   mustache::data operator()(bool yes) const {
     return yes ? mustache::data::type::bool_true : mustache::data::type::bool_false;
   }
-  mustache::data operator()(const std::vector<View>& views) const {
+  mustache::data operator()(const std::vector<Gaps>& list) const {
     mustache::data list(mustache::data::type::list);
-    for (const View& view : views) list.push_back(data_of(view));
+    for (const Gaps& gaps : list) list.push_back(data_of(gaps));
     return list;
   }
 };
 
-mustache::data data_of(const View& view) {
+mustache::data data_of(const Gaps& gaps) {
   mustache::data object(mustache::data::type::object);
-  for (const auto& [name, value] : view.values) object.set(name, std::visit(ToData{}, value));
+  for (const auto& [name, value] : gaps.values) object.set(name, std::visit(ToData{}, value));
   return object;
 }
 
 }  // namespace
 
-std::string fill_template(const std::string& text, const View& view) {
+std::string fill_template(const std::string& text, const Gaps& gaps) {
   mustache::mustache page(text);
   if (!page.is_valid()) throw InvalidInput("page template: " + page.error_message());
-  return page.render(data_of(view));
+  return page.render(data_of(gaps));
 }
 
 }  // namespace regarment

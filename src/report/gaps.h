@@ -8,11 +8,11 @@
 
 namespace regarment {
 
-/// What fills the named gaps of a page template: text, a yes or no, a list of views, by name.
+/// What fills the named gaps of a page template: text, a yes or no, a list of such, by name.
 /// Everything is escaped for HTML when it is filled in, but for gaps the template marks with three
 /// braces.
-struct View {
-  using Value = std::variant<std::string, bool, std::vector<View>>;
+struct Gaps {
+  using Value = std::variant<std::string, bool, std::vector<Gaps>>;
 
   void set(const std::string& name, Value value) { values[name] = std::move(value); }
   /// A text and, beside it, `has_NAME`: whether it is not empty.
@@ -25,6 +25,6 @@ struct View {
 };
 
 /// Fills a template (mustache, logic-less). Throws InvalidInput when the template is malformed.
-std::string fill_template(const std::string& text, const View& view);
+std::string fill_template(const std::string& text, const Gaps& gaps);
 
 }  // namespace regarment

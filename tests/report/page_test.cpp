@@ -1,0 +1,105 @@
+#include "report/page.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "results.h"
+
+namespace regarment {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+std::string page_of(const Result& result) { return report_page(result, bare_parts(result)); }
+
+TEST(Page, LeavesNoGapUnfilled) {
+  const std::string page = page_of(example_result());
+  EXPECT_EQ(count(page, "{{"), 0u);
+  EXPECT_EQ(count(page, "}}"), 0u);
+}
+
+TEST(Page, RequestsNothingAndForbidsScripts) {
+  const std::string page = page_of(example_result());
+  EXPECT_EQ(count(page, "default-src 'none'"), 1u);
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<link"), 0u);
+  EXPECT_EQ(count(page, "@import"), 0u);
+  // The only address is the name of the drawing's own language.
+  EXPECT_EQ(count(page, "http://") + count(page, "https://"),
+            count(page, "http://www.w3.org/2000/svg"));
+}
+
+TEST(Page, EscapesEverythingFromOutside) {
+  Result result = example_result();
+  const std::string evil = "<script>alert(1)</script>\"'&{{title}}";
+  result.scan.file = evil;
+  result.warnings = {evil};
+  result.command = evil;
+  result.options = {{evil, evil}};
+  result.landmarks_cm = {{evil, 1.0}};
+  result.garments[0].title = evil;
+  result.garments[0].template_name = evil;
+  result.garments[0].measurements[0].title = evil;
+  result.garments[0].measurements[0].how_to_measure = evil;
+  result.garments[0].edges[0].evidence = evil;
+  const std::string page = page_of(result);
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_GE(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;&amp;"), 8u);
+}
+
+TEST(Page, SaysPassFailAndNotMeasurableInWords) {
+  const std::string page = page_of(example_result());
+  EXPECT_EQ(count(page, "✓ pass"), 1u);
+  EXPECT_EQ(count(page, "✗ fail"), 1u);
+  EXPECT_GE(count(page, "not measurable"), 1u);
+}
+
+TEST(Page, LeavesTruthColumnsOutWithoutTruth) {
+  Result result = example_result();
+  for (auto& m : result.garments[0].measurements) m.truth_cm.reset();
+  const std::string page = page_of(result);
+  EXPECT_EQ(count(page, ">Truth</th>"), 0u);
+  EXPECT_EQ(count(page, ">Tolerance</th>"), 0u);
+  EXPECT_EQ(count(page, ">Error</th>"), 0u);
+}
+
+TEST(Page, CountsWhatWasMeasuredAndWhatWasRight) {
+  const std::string page = page_of(example_result());
+  EXPECT_EQ(count(page, "3 of 4 dimensions measured"), 1u);
+  // By hand: errors 0.3, 2.5 and 0.4 cm.
+  EXPECT_EQ(count(page, "mean absolute error 1.1"), 1u);
+  EXPECT_EQ(count(page, "Within tolerance: 1 of 2."), 1u);
+}
+
+TEST(Page, ShowsPicturesAsData) {
+  Result result = example_result();
+  PageParts parts = bare_parts(result);
+  result.figures = {{"scan", "front", "pictures/scan-front.png", 3, 4}};
+  EXPECT_THROW(report_page(result, parts), ReadError);
+  parts.pictures["pictures/scan-front.png"] = "not a picture";
+  EXPECT_THROW(report_page(result, parts), ReadError);
+  parts.pictures["pictures/scan-front.png"] = "\x89PNG\r\n\x1a\n";
+  const std::string page = report_page(result, parts);
+  EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo=\""), 1u);
+}
+
+TEST(Page, DrawingsScaleToThePage) {
+  Result result = example_result();
+  PageParts parts = bare_parts(result);
+  parts.drawings = {
+      "<svg width=\"600mm\" height=\"500mm\" viewBox=\"0 0 6 5\"><path d=\"M0\"/></svg>"};
+  const std::string page = report_page(result, parts);
+  EXPECT_EQ(count(page, "<svg viewBox=\"0 0 6 5\"><path d=\"M0\"/></svg>"), 1u);
+}
+
+TEST(Page, IsTheSameForTheSameResult) {
+  const Result result = example_result();
+  EXPECT_EQ(page_of(result), page_of(parse_result(result_json(result), "r")));
+}
+
+}  // namespace
+}  // namespace regarment

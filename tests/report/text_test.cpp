@@ -1,0 +1,53 @@
+#include "report/text.h"
+
+#include <gtest/gtest.h>
+
+namespace regarment {
+namespace {
+
+TEST(Text, CentimetresHaveOneDigitAndNoMinusZero) {
+  EXPECT_EQ(cm_text(0.5437), "54.4");
+  EXPECT_EQ(cm_text(-0.0002), "0.0");
+  EXPECT_EQ(cm_text(1.0), "100.0");
+}
+
+TEST(Text, SignsAreWrittenOut) {
+  EXPECT_EQ(signed_cm_text(0.012), "+1.2");
+  EXPECT_EQ(signed_cm_text(-0.004), "\u22120.4");
+  EXPECT_EQ(signed_cm_text(-0.0001), "0.0");
+}
+
+TEST(Text, NotANumberIsAQuestion) { EXPECT_EQ(fixed_text(std::nan(""), 1), "?"); }
+
+TEST(Text, CountsAreGroupedByThree) {
+  EXPECT_EQ(count_text(7), "7");
+  EXPECT_EQ(count_text(999), "999");
+  EXPECT_EQ(count_text(1000), "1\u202f000");
+  EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");
+}
+
+TEST(Text, ShellQuotingKeepsPlainWordsAndGuardsTheRest) {
+  EXPECT_EQ(shell_quoted("scan-1.ply"), "scan-1.ply");
+  EXPECT_EQ(shell_quoted("a b"), "'a b'");
+  EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_quoted("$(rm)"), "'$(rm)'");
+  EXPECT_EQ(shell_quoted(""), "''");
+}
+
+// The examples of RFC 4648, section 10.
+TEST(Text, Base64AgreesWithItsStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Text, RoundingNeverGivesMinusZero) {
+  EXPECT_FALSE(std::signbit(rounded(-0.00001, 3)));
+  EXPECT_DOUBLE_EQ(rounded(1.23456, 2), 1.23);
+}
+
+}  // namespace
+}  // namespace regarment
