@@ -102,7 +102,7 @@ std::int64_t ObjReader::read_corner(std::string_view field) {
     const bool may_be_empty = part == 1 && *at == '/';
     if (!may_be_empty) {
       const auto [stop, error] = std::from_chars(at, end, index[part]);
-      if (error != std::errc() || index[part] == 0) break;
+      if (error != std::errc() || (part > 0 && index[part] == 0)) break;
       at = stop;
     }
     if (at == end) {

@@ -122,9 +122,9 @@ class BinaryPlyRows {
   }
   Place place() const { return {Place::Unit::Byte, static_cast<std::size_t>(row_ - begin_)}; }
   void check_end() {
-    row_ = at_;
     for (; at_ != end_; ++at_) {
-      if (std::strchr(" \t\r\n", *at_) != nullptr && *at_ != '\0') continue;
+      if (*at_ == ' ' || *at_ == '\t' || *at_ == '\r' || *at_ == '\n') continue;
+      row_ = at_;
       builder_.fail(place(), std::to_string(room()) +
                                  " bytes follow the last element; export the file again");
     }

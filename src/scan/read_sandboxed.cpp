@@ -54,7 +54,9 @@ SandboxLimits sandbox_limits(std::size_t file_bytes) {
   constexpr std::size_t kBytesPerSecond = 10'000'000;
   SandboxLimits limits;
   limits.memory = std::min(kMost, limits.memory + 24 * std::uint64_t{file_bytes});
-  limits.cpu_seconds += static_cast<unsigned>(file_bytes / kBytesPerSecond);
+  const auto more = static_cast<unsigned>(file_bytes / kBytesPerSecond);
+  limits.cpu_seconds += more;
+  limits.clock_seconds += 10 * more;
   return limits;
 }
 

@@ -36,8 +36,8 @@ constexpr bool kUnderSanitizer = true;
 constexpr bool kUnderSanitizer = false;
 #endif
 constexpr unsigned kSlowdown = kUnderSanitizer ? 10 : 1;
-constexpr int kFinished = 0, kNotStarted = 1;  // exit statuses of the child
-constexpr int kAskEvery = 100;                 // ms, between two looks at progress
+constexpr int kFinished = 0, kNotStarted = 100;  // exit statuses of the child
+constexpr int kAskEvery = 100;                   // ms, between two looks at progress
 
 // Address space this process has mapped, bytes; 0 when the system does not tell.
 std::uint64_t mapped_bytes() {
@@ -180,6 +180,8 @@ SharedMemory::SharedMemory(std::size_t bytes) : size_(bytes) {
 
 SharedMemory::~SharedMemory() { munmap(data_, size_); }
 
+bool sandbox_is_closed() { return !kUnderSanitizer; }
+
 SandboxEnd run_sandboxed(const std::function<void()>& work, const SandboxLimits& limits,
                          const Progress& progress, const std::function<void()>& meanwhile) {
   // The child holds the writing end: it hangs up when the child is gone.
@@ -195,8 +197,7 @@ SandboxEnd run_sandboxed(const std::function<void()>& work, const SandboxLimits&
   meanwhile();
 
   using Clock = std::chrono::steady_clock;
-  const auto deadline =
-      Clock::now() + std::chrono::seconds(std::uint64_t{limits.cpu_seconds} * kSlowdown * 10);
+  const auto deadline = Clock::now() + std::chrono::seconds(limits.clock_seconds * kSlowdown);
   for (;;) {
     struct pollfd hang_up {
       alive.ends[0], POLLIN, 0

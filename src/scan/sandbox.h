@@ -29,6 +29,7 @@ class SharedMemory {
 struct SandboxLimits {
   std::uint64_t memory = 256U << 20U;  // bytes on top of what the caller has mapped
   unsigned cpu_seconds = 3;
+  unsigned clock_seconds = 60;  // for a child that waits instead of computing
 };
 
 /// How a sandboxed child ended.
@@ -39,17 +40,19 @@ struct SandboxEnd {
 };
 
 /// Runs `work` in a child process that can compute and write to SharedMemory, and nothing else: no
-/// file, no socket, no process (seccomp allow-list, resource limits, all descriptors closed). Its
-/// exceptions must not leave it. Meanwhile `meanwhile` runs here; then this waits, asking
-/// `progress` ten times a second. The child is gone when this returns or throws, also when
-/// `progress` throws Stopped, and it dies with this process. A child that lasts ten times its CPU
-/// seconds by the clock is ended too.
+/// file, no socket, no process (seccomp allow-list, resource limits, all descriptors closed). No
+/// exception may leave `work`. Meanwhile `meanwhile` runs here; then this waits, asking `progress`
+/// ten times a second. The child is gone when this returns or throws, also when `progress` throws
+/// Stopped, and it dies with the calling thread.
 ///
-/// Call it before threads that could hold a lock in the middle of a fork are started: the child
-/// allocates memory (which glibc makes safe after a fork) but also uses what `work` uses.
-/// Under the address and thread sanitizers, which need files and much address space themselves,
-/// neither the filter nor the memory limit is set, and CPU seconds count tenfold.
+/// Several threads may call it. But a fork copies the locks that other threads hold just then:
+/// glibc makes allocation safe in the child, other libraries do not, so call it before threads are
+/// started where that can be helped. A child stuck on such a lock ends as TimeLimit.
 SandboxEnd run_sandboxed(const std::function<void()>& work, const SandboxLimits& limits,
                          const Progress& progress, const std::function<void()>& meanwhile);
+
+/// False in builds with the address or thread sanitizer, which need files and address space of
+/// their own: there neither the filter nor the memory limit is set, and CPU seconds count tenfold.
+bool sandbox_is_closed();
 
 }  // namespace regarment
