@@ -14,10 +14,11 @@ namespace regarment {
 void read_ply(std::string_view file, MeshBuilder& builder);
 void read_obj(std::string_view file, MeshBuilder& builder);
 void read_off(std::string_view file, MeshBuilder& builder);
-/// STL (text and binary), glTF and GLB, by assimp. Three vertices per facet for STL. For glTF one
-/// run of vertices per primitive, as long as its POSITION accessor, nodes depth first in the
-/// scene's order, moved by the nodes' transforms. No file is ever opened.
+/// Text and binary, three vertices per facet. The facets' normals are not taken over.
 void read_stl(std::string_view file, MeshBuilder& builder);
+/// glTF 2.0 and GLB, by assimp. One run of vertices per primitive, as long as its POSITION
+/// accessor, nodes depth first in the scene's order, moved by the nodes' transforms. No file is
+/// ever opened.
 void read_gltf(std::string_view file, MeshBuilder& builder);
 
 }  // namespace regarment

@@ -59,7 +59,9 @@ double ObjReader::number(Fields& fields) const {
   double value = 0;
   Fields before = fields;
   const Fields::Outcome outcome = fields.number(value);
-  if (outcome != Fields::Outcome::Ok) fail(describe(outcome, before.word()));
+  if (outcome != Fields::Outcome::Ok) {
+    fail(describe(outcome, before.word()) + "; export the file again");
+  }
   return value;
 }
 
@@ -69,7 +71,9 @@ void ObjReader::read_vertex(Fields fields) {
   std::size_t count = 0;
   while (count < value.size() && !fields.at_end()) value[count++] = number(fields);
   if (!fields.at_end() || count < 3 || count == 5) {
-    fail("a vertex has x y z and perhaps a colour, this one has another count of numbers");
+    fail(
+        "a vertex has x y z and perhaps a colour, this one has another count of numbers; export it "
+        "again");
   }
   builder_.check_vertex_count(builder_.mesh().positions.size() + 1, place_);
   builder_.add_vertex(value[0], value[1], value[2], place_);
@@ -88,7 +92,8 @@ std::int64_t ObjReader::resolve(std::int64_t index, std::size_t count,
   if (index == 0 || resolved < 0) {
     fail("the face corner '" + one_line(field, 40) + "' names no vertex: " +
          (index == 0 ? std::string("OBJ counts from 1")
-                     : "only " + std::to_string(count) + " stand before it"));
+                     : "only " + std::to_string(count) + " stand before it") +
+         "; export the mesh again");
   }
   return resolved;
 }
@@ -114,7 +119,7 @@ std::int64_t ObjReader::read_corner(std::string_view field) {
     if (*at++ != '/') break;
   }
   fail("the face corner '" + one_line(field, 40) +
-       "' is not of the form v, v/vt, v//vn or v/vt/vn");
+       "' is not of the form v, v/vt, v//vn or v/vt/vn; export the mesh again");
 }
 
 void ObjReader::read_face(Fields fields) {

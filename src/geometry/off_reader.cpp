@@ -8,6 +8,8 @@
 namespace regarment {
 namespace {
 
+constexpr const char* kNoWord = "an OFF file must begin with the word OFF; export it again";
+
 // What the letters before "OFF" announce for each vertex.
 struct Announced {
   bool colours = false, normals = false, texture = false;
@@ -59,7 +61,7 @@ std::int64_t OffReader::whole(std::string_view what) {
   Fields before = fields_;
   const Fields::Outcome outcome = fields_.whole(value);
   if (outcome != Fields::Outcome::Ok) {
-    fail(std::string(what) + ": " + describe(outcome, before.word()));
+    fail(std::string(what) + ": " + describe(outcome, before.word()) + "; export the file again");
   }
   return value;
 }
@@ -68,24 +70,28 @@ double OffReader::number() {
   double value = 0;
   Fields before = fields_;
   const Fields::Outcome outcome = fields_.number(value);
-  if (outcome != Fields::Outcome::Ok) fail(describe(outcome, before.word()));
+  if (outcome != Fields::Outcome::Ok) {
+    fail(describe(outcome, before.word()) + "; export the file again");
+  }
   return value;
 }
 
 void OffReader::read_keyword() {
-  if (!next_row()) fail("an OFF file must begin with the word OFF");
+  if (!next_row()) fail(kNoWord);
   std::string_view word = fields_.word();
-  if (!word.ends_with("OFF")) fail("an OFF file must begin with the word OFF");
+  if (!word.ends_with("OFF")) fail(kNoWord);
   const std::string_view letters = word.substr(0, word.size() - 3);
   for (const char letter : letters) {
     if (letter == '4' || letter == 'n') {
-      fail("the variant '" + one_line(word, 20) + "' with other than 3 dimensions is not read");
+      fail("the variant '" + one_line(word, 20) +
+           "' with other than 3 dimensions is not read; save it as PLY");
     }
   }
   announced_.colours = letters.find('C') != std::string_view::npos;
   announced_.normals = letters.find('N') != std::string_view::npos;
   announced_.texture = letters.find("ST") != std::string_view::npos;
-  if (fields_.at_end() && !next_row()) fail("the counts of vertices and faces are missing");
+  if (fields_.at_end() && !next_row())
+    fail("the counts of vertices and faces are missing; export the file again");
   Fields ahead = fields_;
   if (ahead.word() == "BINARY") fail("binary OFF is not read; save it as text or as PLY");
 }
@@ -130,7 +136,8 @@ void OffReader::read_vertices() {
       number();
       number();
     }
-    if (!fields_.at_end()) fail("more numbers than the first word of the file announces");
+    if (!fields_.at_end())
+      fail("more numbers than the first word of the file announces; export it again");
   }
 }
 

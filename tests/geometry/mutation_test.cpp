@@ -4,62 +4,14 @@
 #include <random>
 
 #include "geometry/read_text.h"
+#include "support/mutate.h"
 #include "support/ply_maker.h"
+#include "support/stl_maker.h"
 
 namespace regarment::test {
 namespace {
 
 constexpr int kFiles = 4000;  // per seed file
-
-// What parsers get wrong: numbers at the ends of their range, words in the wrong place.
-constexpr std::array kPieces{"-1",
-                             "4294967295",
-                             "2147483648",
-                             "99999999999999999999",
-                             "1e400",
-                             "nan",
-                             "-",
-                             "/",
-                             "\n",
-                             "\\\n",
-                             " ",
-                             "\r",
-                             "#",
-                             "list",
-                             "property",
-                             "element vertex 3\n",
-                             "end_header\n",
-                             "0",
-                             "64",
-                             "\xff\xff\xff\xff"};
-
-std::string mutate(std::string file, std::mt19937& random) {
-  const auto below = [&](std::size_t end) { return random() % end; };
-  for (std::size_t changes = 1 + below(4); changes > 0 && !file.empty(); --changes) {
-    const std::size_t at = below(file.size());
-    const std::size_t length = 1 + below(std::min<std::size_t>(file.size() - at, 12));
-    switch (below(6)) {
-      case 0:
-        file[at] = static_cast<char>(random());
-        break;
-      case 1:
-        file[at] = static_cast<char>(file[at] ^ 1 << below(8));
-        break;
-      case 2:
-        file.erase(at, length);
-        break;
-      case 3:
-        file.insert(at, file.substr(below(file.size()), length));
-        break;
-      case 4:
-        file.replace(at, length, kPieces[below(kPieces.size())]);
-        break;
-      default:
-        file.resize(at);
-    }
-  }
-  return file;
-}
 
 // Returns how many of the mutants were read, so that a caller sees both outcomes happened.
 int expect_survives(const std::string& file, MeshFormat format) {
@@ -127,6 +79,19 @@ TEST(Mutation, Obj) {
       "v 0 1 0.5 1 1 1\nvt 0 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 -1\n"
       "f 1/1/1 2/1/2 3//3\nf -4 -2 \\\n-1\nl 1 2\n",
       MeshFormat::Obj);
+}
+
+// A changed count or length is always refused: only numbers may change.
+TEST(Mutation, BinaryStl) {
+  const Facet facet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  expect_survives_both_ways(binary_stl({facet, facet}), MeshFormat::Stl);
+}
+
+TEST(Mutation, TextStl) {
+  expect_survives_both_ways(
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\nendsolid a\n",
+      MeshFormat::Stl);
 }
 
 TEST(Mutation, Off) {

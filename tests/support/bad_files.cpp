@@ -51,7 +51,7 @@ std::vector<BadFile> bad_files() {
   add_bad_ply_headers(files);
   add_bad_ply_bodies(files);
   add_bad_text_meshes(files);
-  add_bad_assimp_files(files);
+  add_bad_other_meshes(files);
   return files;
 }
 

@@ -30,7 +30,7 @@ std::filesystem::path put(const BadFile& file, const std::filesystem::path& fold
 void add_bad_ply_headers(std::vector<BadFile>& files);
 void add_bad_ply_bodies(std::vector<BadFile>& files);
 void add_bad_text_meshes(std::vector<BadFile>& files);   // OBJ and OFF
-void add_bad_assimp_files(std::vector<BadFile>& files);  // STL and glTF
+void add_bad_other_meshes(std::vector<BadFile>& files);  // STL and glTF
 void add_files_of_another_kind(std::vector<BadFile>& files);
 
 }  // namespace regarment::test

@@ -70,19 +70,33 @@ void add_bad_text_meshes(std::vector<BadFile>& files) {
   off("OFF without its first word", "must begin with the word OFF", "3 0 0\n" + points);
 }
 
-void add_bad_assimp_files(std::vector<BadFile>& files) {
+void add_bad_other_meshes(std::vector<BadFile>& files) {
   const auto add = [&](const char* title, const char* name, const char* says, std::string bytes) {
     files.push_back({title, name, [bytes = std::move(bytes)] { return bytes; }, says});
   };
   const std::string stl = binary_stl({Facet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, Facet{}});
-  add("STL cut off", "scan.stl", "scan.stl: ", stl.substr(0, stl.size() - 30));
-  add("STL that promises 2^32 facets", "scan.stl",
-      "scan.stl: ", stl.substr(0, 80) + std::string(4, '\xff') + stl.substr(84));
-  add("STL without facets", "scan.stl", "scan.stl: ", binary_stl({}));
-  add("STL with a coordinate that is no number", "scan.stl", "not a finite number",
+  add("STL cut off", "scan.stl", "byte 80: 2 facets take 184 bytes, the file has 154",
+      stl.substr(0, stl.size() - 30));
+  add("STL that promises 2^32 facets", "scan.stl", "byte 80: 4294967295 facets take 214748364834",
+      stl.substr(0, 80) + std::string(4, '\xff') + stl.substr(84));
+  add("STL without facets", "scan.stl", "holds no vertices", binary_stl({}));
+  add("STL with a coordinate that is no number", "scan.stl",
+      "byte 84: vertex 1 has a coordinate that is not a finite number",
       binary_stl({Facet{{{0, 0, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, {0, 1, 0}}}}));
-  add("STL text cut off in a facet", "scan.stl",
-      "scan.stl: ", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n");
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\n";
+  add("STL text cut off in a facet", "scan.stl", "line 6: the file ends within a facet",
+      "solid a\n" + facet.substr(0, facet.find("endloop")));
+  add("STL text cut off after a facet", "scan.stl", "line 8: the file ends without endsolid",
+      "solid a\n" + facet);
+  add("STL text with junk between facets", "scan.stl",
+      "line 9: 'junk' stands where facet or endsolid",
+      "solid a\n" + facet + "junk\n" + facet + "endsolid a\n");
+  add("STL text with four corners", "scan.stl", "line 7: 'vertex' stands where endloop is due",
+      "solid a\n" + replaced(facet, "endloop", "vertex 5 5 5\nendloop") + "endsolid a\n");
+  add("STL text with words for numbers", "scan.stl", "line 5: 'one' is not a number",
+      "solid a\n" + replaced(facet, "1 0 0", "one 0 0") + "endsolid a\n");
 
   const std::string passwd = triangle().json("0", "/etc/passwd");
   add("glTF that reads /etc/passwd", "scan.gltf", "another file, which is never opened", passwd);

@@ -4,9 +4,10 @@
 
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <memory>
+#include <optional>
 
 #include "base/one_line.h"
+#include "geometry/gltf_counts.h"
 #include "geometry/mesh_readers.h"
 
 namespace regarment {
@@ -93,11 +94,33 @@ void SceneReader::add_face(const aiFace& face, const aiMesh& mesh, std::size_t f
   builder_.add_face(corners, place_);
 }
 
-void read_with_assimp(std::string_view file, std::string_view importer_name, const char* hint,
-                      MeshBuilder& builder) {
+// assimp leaves out faces whose indices point nowhere, and says nothing.
+void check_complete(std::string_view file, const MeshBuilder& builder, const Mesh& mesh) {
+  const Place start{Place::Unit::Byte, 0};
+  const std::optional<GltfCounts> promised = count_gltf(file);
+  if (!promised) builder.fail(start, "its JSON is not what glTF 2.0 asks for; export it again");
+  if (promised->vertices != mesh.positions.size() || promised->triangles != mesh.triangles.size()) {
+    builder.fail(start, "it promises " + std::to_string(promised->vertices) + " vertices and " +
+                            std::to_string(promised->triangles) + " triangles, of which " +
+                            std::to_string(mesh.positions.size()) + " and " +
+                            std::to_string(mesh.triangles.size()) + " are sound; export it again");
+  }
+}
+
+}  // namespace
+
+void read_gltf(std::string_view file, MeshBuilder& builder) {
+  // assimp reads such meshes as zeros.
+  for (const char* packed : {"\"KHR_draco_mesh_compression\"", "\"EXT_meshopt_compression\""}) {
+    if (file.find(packed) == std::string_view::npos) continue;
+    builder.fail(
+        {Place::Unit::Byte, file.find(packed)},
+        "its geometry is compressed (" + std::string(packed) + "); save it without compression");
+  }
   Assimp::Importer importer;
-  keep_only(importer, importer_name);
+  keep_only(importer, "glTF2 Importer");
   importer.SetIOHandler(new NoFiles);  // the importer owns it
+  const char* const hint = file.starts_with("glTF") ? "glb" : "gltf";
   const aiScene* scene = importer.ReadFileFromMemory(file.data(), file.size(), 0, hint);
   const Place start{Place::Unit::Byte, 0};
   if (scene == nullptr) {
@@ -110,23 +133,7 @@ void read_with_assimp(std::string_view file, std::string_view importer_name, con
   if (scene->mRootNode != nullptr) {
     SceneReader(*scene, builder).add_node(*scene->mRootNode, aiMatrix4x4());
   }
-}
-
-}  // namespace
-
-void read_stl(std::string_view file, MeshBuilder& builder) {
-  read_with_assimp(file, "Stereolithography (STL) Importer", "stl", builder);
-}
-
-void read_gltf(std::string_view file, MeshBuilder& builder) {
-  // assimp reads such meshes as zeros.
-  for (const char* packed : {"\"KHR_draco_mesh_compression\"", "\"EXT_meshopt_compression\""}) {
-    if (file.find(packed) == std::string_view::npos) continue;
-    builder.fail(
-        {Place::Unit::Byte, file.find(packed)},
-        "its geometry is compressed (" + std::string(packed) + "); save it without compression");
-  }
-  read_with_assimp(file, "glTF2 Importer", file.starts_with("glTF") ? "glb" : "gltf", builder);
+  check_complete(file, builder, builder.mesh());
 }
 
 }  // namespace regarment

@@ -2,42 +2,9 @@
 
 #include "geometry/read_text.h"
 #include "support/gltf_maker.h"
-#include "support/stl_maker.h"
 
 namespace regarment::test {
 namespace {
-
-// Two triangles that share an edge: a reader that joins vertices would give four.
-const std::vector<Facet> kTwoFacets{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}},
-                                    {{{0, 0, 0}, {1, 1, 0}, {0, 1, 0.5}}}};
-
-TEST(StlReader, ThreeVerticesPerFacetInTheFilesOrder) {
-  for (const std::string& file : {binary_stl(kTwoFacets), text_stl(kTwoFacets)}) {
-    const Mesh mesh = read_text(file, MeshFormat::Stl);
-    EXPECT_EQ(
-        mesh.positions,
-        (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0.5}}));
-    EXPECT_EQ(mesh.triangles, (Corners{{0, 1, 2}, {3, 4, 5}}));
-  }
-}
-
-TEST(StlReader, SeveralSolidsOneAfterTheOther) {
-  const std::string file = text_stl({kTwoFacets[0]}) + text_stl({kTwoFacets[1]});
-  const Mesh mesh = read_text(file, MeshFormat::Stl);
-  ASSERT_EQ(mesh.positions.size(), 6U);
-  EXPECT_EQ(mesh.positions[1], Vec3(1, 0, 0));
-  EXPECT_EQ(mesh.positions[5], Vec3(0, 1, 0.5));
-  EXPECT_EQ(mesh.triangles, (Corners{{0, 1, 2}, {3, 4, 5}}));
-}
-
-// The second facet repeats a corner: it has no area and still has its three vertices.
-TEST(StlReader, FacetsWithoutAreaKeepTheirVertices) {
-  const std::vector<Facet> facets{
-      kTwoFacets[0], {{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}}}, kTwoFacets[1]};
-  for (const std::string& file : {binary_stl(facets), text_stl(facets)}) {
-    EXPECT_EQ(read_text(file, MeshFormat::Stl).positions.size(), 9U);
-  }
-}
 
 using Points = std::vector<std::array<float, 3>>;
 // The last vertex belongs to no triangle and must survive.
@@ -112,6 +79,22 @@ TEST(GltfReader, AWordOfCompressionInANameIsNoCompression) {
   maker.mesh(kTriangleAndMore, {0, 1, 2});
   maker.node("\"mesh\":0,\"name\":\"no KHR_draco here\"");
   EXPECT_EQ(complaint(maker.glb("0"), MeshFormat::Glb), "");
+}
+
+TEST(GltfReader, ListsStripsAndFansOfTriangles) {
+  GltfMaker maker;
+  maker.mesh(kTriangleAndMore, {});
+  maker.node("\"mesh\":0");
+  const std::string points = maker.gltf("0");
+  const auto with_mode = [&](char mode) {
+    std::string file = points;
+    file[file.find("\"mode\":0") + 7] = mode;
+    return read_text(file, MeshFormat::Gltf).triangles;
+  };
+  EXPECT_EQ(with_mode('4'), (Corners{{0, 1, 2}}));
+  EXPECT_EQ(with_mode('5'), (Corners{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(with_mode('6'), (Corners{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(with_mode('1'), Corners()) << "lines";
 }
 
 }  // namespace
