@@ -1,0 +1,231 @@
+#include "measure/garment_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+constexpr int kTrunkColumns = 144, kArmColumns = 40, kNeckColumns = 72;
+constexpr double kTrunkStep = 0.004, kArmStep = 0.005, kNeckStep = 0.004;
+constexpr double kArmReach = 0.16;     // m, samples further from an arm's axis are torso
+constexpr double kLeastCoverage = 0.8; // of the loop where a person's own shape shows no edge
+constexpr double kLeastScore = 0.8;
+constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
+constexpr double kRivalShare = 0.7;    // of the best edge's score that makes another edge a rival
+
+std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken, bool want_taken) {
+  std::vector<int> members;
+  for (std::size_t s = 0; s < body.part.size(); ++s)
+    if (body.part[s] == BodyPart::Trunk && (!taken.empty() && taken[s] != 0) == want_taken)
+      members.push_back(static_cast<int>(s));
+  return members;
+}
+
+/// Samples of an arm and of the shoulder above the armpit. Between the arm and the torso's side the
+/// plane through the armpit halfway between both directions decides.
+std::vector<int> arm_members(const SurfaceSamples& samples, const Body& body, const LimbAxis& axis,
+                             int side, const std::vector<std::uint8_t>& taken) {
+  const double sign = side == 0 ? 1.0 : -1.0;
+  const Vec3 armpit(body.armpit_x[side], body.armpit[side], 0);
+  Vec3 dividing = axis.tangent(0.0) + Vec3::UnitY();
+  dividing.z() = 0;
+  dividing.normalize();
+  std::vector<int> members;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    if (!taken.empty() && taken[s] != 0) continue;
+    const Vec3& p = samples.positions[s];
+    const bool arm = body.part[s] == (side == 0 ? BodyPart::LeftArm : BodyPart::RightArm);
+    if (!arm && (body.part[s] != BodyPart::Trunk ||
+                 sign * (p.x() - armpit.x()) < -0.12 || p.y() < armpit.y() - 0.03))
+      continue;
+    Vec3 d = p - armpit;
+    d.z() = 0;
+    if (d.dot(dividing) < -0.003) continue;
+    if (axis.locate(p).r < kArmReach) members.push_back(static_cast<int>(s));
+  }
+  return members;
+}
+
+/// Is the edge at the bottom of the garment (larger t than the garment's middle)?
+bool at_bottom(const Pattern& pattern, const PatternEdge& edge) {
+  double mean = 0, low = 1e9, high = -1e9;
+  for (int v : edge.vertices) mean += pattern.flat[v].y() / static_cast<double>(edge.vertices.size());
+  for (const Vec2& p : pattern.flat) low = std::min(low, p.y()), high = std::max(high, p.y());
+  return mean > 0.5 * (low + high);
+}
+
+/// The best edge in a range, or a rival nearly as good that lies beyond it in the direction preferred.
+FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_higher) {
+  FoundEdge best = find_edge(map, search);
+  const double wanted = kRivalShare * best.score;
+  FoundEdge found = best;
+  for (int round = 0; round < 3 && found.found(); ++round) {
+    EdgeSearch beyond = search;
+    const auto [low, high] = std::minmax_element(found.s.begin(), found.s.end());
+    if (prefer_higher)
+      beyond.s_low = *high + 0.03;
+    else
+      beyond.s_high = *low - 0.03;
+    if (beyond.s_high - beyond.s_low < 0.05) break;
+    const FoundEdge rival = find_edge(map, beyond);
+    if (!rival.found() || rival.score < wanted || rival.coverage < 0.9) break;
+    found = rival;
+  }
+  return found;
+}
+
+/// Share of columns in which the other side of the edge was taken by an outer garment.
+double covered_share(const LimbView& view, const LimbMap& taken, const GarmentEdge& edge) {
+  int covered = 0;
+  for (int j = 0; j < view.map.columns; ++j) {
+    const int row = static_cast<int>(std::lround(view.map.row_of(edge.found.s[j])));
+    for (int k = 0; k < 8; ++k) {
+      const int i = edge.garment_above ? row - k : row + 1 + k;
+      if (i < 0 || i >= view.map.rows || !taken.has(i, j)) continue;
+      ++covered;
+      break;
+    }
+  }
+  return static_cast<double>(covered) / view.map.columns;
+}
+
+std::string describe(const std::string& name, const FoundEdge& edge) {
+  char text[160];
+  std::snprintf(text, sizeof text, "its %s shows on %.0f %% of the loop with %.0f %% of the evidence of a cloth's edge",
+                name.c_str(), 100 * edge.coverage, 100 * std::max(0.0, edge.score));
+  return edge.found() ? text : "no data where its " + name + " would be";
+}
+
+struct Finder {
+  const SurfaceSamples& samples;
+  const Body& body;
+  const Pattern& pattern;
+  const std::string& title;
+  const std::vector<std::uint8_t>& taken;
+  GarmentEdges out;
+
+  void add_limbs();
+  void find_on_torso(const PatternEdge& edge);
+  void find_on_arm(const PatternEdge& edge);
+  void find_on_neck(const PatternEdge& edge);
+  [[noreturn]] void missing(const std::string& name, const FoundEdge& edge) const;
+};
+
+void Finder::missing(const std::string& name, const FoundEdge& edge) const {
+  throw NoGarmentError("no " + title + " on this scan: " + describe(name, edge) +
+                       "; ask for the garment that is worn");
+}
+
+void Finder::add_limbs() {
+  const LimbAxis trunk = trunk_axis(body);
+  std::vector<int> members = trunk_members(body, taken, false);
+  LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns);
+  out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
+  for (const std::string& limb : pattern.panel_limbs)
+    out.upper_body = out.upper_body || limb != "torso";
+  if (!out.upper_body) return;
+  for (int side = 0; side < 2; ++side) {
+    if (!body.arms[side].present()) continue;
+    const LimbAxis axis = arm_axis(body, side);
+    members = arm_members(samples, body, axis, side, taken);
+    map = make_limb_map(samples, members, axis, -0.12, axis.s_max(), kArmStep, kArmColumns);
+    out.limbs.emplace(side == 0 ? "left_arm" : "right_arm", LimbView{axis, std::move(map), std::move(members)});
+  }
+  const LimbAxis neck = neck_axis(body);
+  members.clear();
+  for (int m : out.limbs.at("torso").members)
+    if (samples.positions[m].y() > body.neck - 0.25) members.push_back(m);
+  map = make_limb_map(samples, members, neck, 0.0, 0.26, kNeckStep, kNeckColumns, 0.1);
+  out.limbs.emplace("neck", LimbView{neck, std::move(map), std::move(members)});
+}
+
+void Finder::find_on_torso(const PatternEdge& edge) {
+  const LimbView& view = out.limbs.at("torso");
+  const double armpit = std::max(body.armpit[0], body.armpit[1]);
+  const double top = (armpit > 0 ? armpit : 0.74 * body.height) - 0.03;
+  GarmentEdge found;
+  found.limb = "torso";
+  found.garment_above = at_bottom(pattern, edge);
+  EdgeSearch search;
+  search.garment_above = found.garment_above;
+  if (!found.garment_above) {
+    // A waist: cloth on skin, somewhere between the hips and the chest.
+    search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
+    found.found = find_edge(view.map, search);
+  } else if (out.upper_body) {
+    search.s_low = 0.1 * body.height, search.s_high = top - 0.03;
+    found.found = find_with_rivals(view.map, search, true);
+  } else {
+    search.s_low = 0.05 * body.height, search.s_high = 0.5 * body.height;
+    found.found = find_with_rivals(view.map, search, false);
+  }
+  if (!found.found.found()) missing(edge.name, found.found);
+  if (!taken.empty()) {
+    const LimbMap hidden = make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0,
+                                         body.neck, kTrunkStep, kTrunkColumns);
+    found.covered = covered_share(view, hidden, found) > 0.5;
+  }
+  if (!found.covered && (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore))
+    missing(edge.name, found.found);
+  out.edges.emplace(edge.name, std::move(found));
+}
+
+void Finder::find_on_arm(const PatternEdge& edge) {
+  const auto limb = out.limbs.find(edge.limb);
+  if (limb == out.limbs.end()) return;
+  const LimbView& view = limb->second;
+  GarmentEdge found;
+  found.limb = edge.limb;
+  found.garment_above = false;
+  EdgeSearch search;
+  search.garment_above = false;
+  search.s_low = -0.06, search.s_high = kSleeveShare * view.axis.s_max();
+  found.found = find_edge(view.map, search);
+  if (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore) {
+    search.s_low = search.s_high, search.s_high = 0.9 * view.axis.s_max();
+    const FoundEdge further = find_edge(view.map, search);
+    if (further.score > found.found.score) found.found = further;
+  }
+  if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
+}
+
+void Finder::find_on_neck(const PatternEdge& edge) {
+  const LimbView& view = out.limbs.at("neck");
+  GarmentEdge found;
+  found.limb = "neck";
+  found.garment_above = true;  // larger angle from straight up
+  EdgeSearch search;
+  search.s_low = 0.05, search.s_high = 0.2;
+  search.most_step = 0.02;
+  found.found = find_edge(view.map, search);
+  if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
+}
+
+}  // namespace
+
+GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
+                                const Pattern& pattern, const std::string& title,
+                                const std::vector<std::uint8_t>& taken) {
+  Finder finder{samples, body, pattern, title, taken, {}};
+  finder.add_limbs();
+  double best_cuff = -1;
+  const FoundEdge* cuff = nullptr;
+  for (const PatternEdge& edge : pattern.edges) {
+    if (edge.limb == "torso") finder.find_on_torso(edge);
+    else if (edge.limb == "neck") finder.find_on_neck(edge);
+    else finder.find_on_arm(edge);
+    const auto it = finder.out.edges.find(edge.name);
+    if (it == finder.out.edges.end() || edge.limb == "torso" || edge.limb == "neck") continue;
+    if (it->second.found.coverage < kLeastCoverage || it->second.found.score < kLeastScore) continue;
+    if (it->second.found.score > best_cuff) best_cuff = it->second.found.score, cuff = &it->second.found;
+  }
+  if (finder.out.upper_body && cuff == nullptr)
+    throw NoGarmentError("no " + title + " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
+  return std::move(finder.out);
+}
+
+}  // namespace regarment

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "garment/pattern.h"
+#include "measure/edge_finder.h"
+
+namespace regarment {
+
+/// One limb as the measurements see it.
+struct LimbView {
+  LimbAxis axis;
+  LimbMap map;                // outer surface facing away from the axis
+  std::vector<int> members;   // samples on the limb, whatever their normal
+};
+
+/// A named edge of a garment on the scan.
+struct GarmentEdge {
+  std::string limb;            // "torso", "left_arm", "right_arm", "neck"
+  bool garment_above = true;   // the garment lies at larger s of the limb's axis
+  FoundEdge found;
+  bool covered = false;        // hidden by a garment that was taken off before: this is where it is cut off
+};
+
+/// The edges of one garment on a scan.
+struct GarmentEdges {
+  std::map<std::string, LimbView> limbs;
+  std::map<std::string, GarmentEdge> edges;
+  bool upper_body = false;  // the garment has sleeves or a neck
+};
+
+/// Looks for all open edges of a garment on the body. `taken` marks samples that belong to garments
+/// found before (one per sample, or empty): they are not looked at, and an edge that ends at them is
+/// covered. `pattern` is the garment at any dimensions: it tells which edges there are.
+/// Throws NoGarmentError with the evidence when the edges the garment cannot do without are missing.
+GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
+                                const Pattern& pattern, const std::string& title,
+                                const std::vector<std::uint8_t>& taken);
+
+}  // namespace regarment

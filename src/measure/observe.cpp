@@ -1,0 +1,216 @@
+#include "measure/observe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "measure/section.h"
+
+namespace regarment {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+// Standard deviations of what a direct measurement cannot know: how far folds and hidden cloth hide
+// length. A share of the length, and a length.
+constexpr double kGirthShare = 0.012, kPathShare = 0.01, kLeastDeviation = 0.004;
+constexpr double kTiltError = 1.5;  // m of girth for a metre of height of the waist (design notes)
+
+struct Observer {
+  const SurfaceSamples& samples;
+  const Body& body;
+  const GarmentEdges& edges;
+  const GarmentTemplate& garment;
+
+  const GarmentEdge* edge(const std::string& name) const {
+    const auto it = edges.edges.find(name);
+    return it == edges.edges.end() ? nullptr : &it->second;
+  }
+  const LimbView& limb(const GarmentEdge& e) const { return edges.limbs.at(e.limb); }
+
+  ObservedLength girth(const Observation& o) const;
+  ObservedLength girth_at_offset(const Observation& o) const;
+  ObservedLength path(const Observation& o) const;
+  ObservedLength fork(const Observation& o) const;
+  double centre_path(const GarmentEdge& from, const GarmentEdge& to, double phi) const;
+  Vec3 edge_point(const GarmentEdge& e, double phi) const;
+};
+
+Vec3 Observer::edge_point(const GarmentEdge& e, double phi) const {
+  const LimbView& view = limb(e);
+  const int n = view.map.columns;
+  const int j = ((static_cast<int>(std::floor((phi + kPi) / (2 * kPi) * n)) % n) + n) % n;
+  return view.axis.point({e.found.s[j], view.map.column_phi(j), e.found.r[j]});
+}
+
+ObservedLength Observer::girth(const Observation& o) const {
+  ObservedLength out{&o, 0, 0, false};
+  const GarmentEdge* e = edge(o.edge);
+  if (!e || e->covered || e->found.coverage < 0.5) return out;
+  const LimbView& view = limb(*e);
+  const int bins = view.map.columns;
+  const std::vector<Vec3> curve =
+      curve_beside_edge(samples, view.members, view.axis, view.map, e->found, e->garment_above, bins);
+  if (static_cast<int>(curve.size()) < bins / 2) return out;
+  out.value = closed_length(curve, 1);
+  const double gaps = 1.0 - static_cast<double>(curve.size()) / bins;
+  out.standard_deviation = std::hypot(kGirthShare * out.value, kTiltError * e->found.standard_error) +
+                           kLeastDeviation + 0.1 * gaps * out.value;
+  out.seen = true;
+  return out;
+}
+
+ObservedLength Observer::girth_at_offset(const Observation& o) const {
+  ObservedLength out{&o, 0, 0, false};
+  const GarmentEdge* e = edge(o.edge);
+  if (!e || e->limb != "torso") return out;
+  const LimbView& view = limb(*e);
+  const double direction = e->garment_above ? 1.0 : -1.0;
+  std::vector<Vec3> curve;
+  if (o.side == "underarm") {
+    const double armpit = std::min(body.armpit[0] > 0 ? body.armpit[0] : 1e9,
+                                   body.armpit[1] > 0 ? body.armpit[1] : 1e9);
+    if (armpit > 1e8) return out;
+    const double row = view.map.row_of(armpit - 0.02 - o.offset);
+    for (int j = 0; j < view.map.columns; ++j) {
+      const int i = static_cast<int>(std::lround(row));
+      if (i < 0 || i >= view.map.rows || !view.map.has(i, j)) continue;
+      curve.push_back(view.axis.point({view.map.row_s(i), view.map.column_phi(j), view.map.radius[view.map.index(i, j)]}));
+    }
+  } else {
+    if (e->covered) return out;
+    // Along each meridian down the cloth until the offset is used up.
+    for (int j = 0; j < view.map.columns; ++j) {
+      double used = 0;
+      int i = static_cast<int>(std::lround(view.map.row_of(e->found.s[j])));
+      double last_r = e->found.r[j];
+      int last_i = i;
+      while (used < o.offset) {
+        i += direction > 0 ? 1 : -1;
+        if (i < 0 || i >= view.map.rows) break;
+        if (!view.map.has(i, j) && std::abs(i - last_i) < 10) continue;
+        const double r = view.map.has(i, j) ? view.map.radius[view.map.index(i, j)] : last_r;
+        // Steps of a centimetre, so that noise does not lengthen the way.
+        if (std::abs(i - last_i) * view.map.step < 0.02) continue;
+        used += std::hypot(std::abs(i - last_i) * view.map.step, r - last_r);
+        last_r = r, last_i = i;
+      }
+      if (i < 0 || i >= view.map.rows) continue;
+      curve.push_back(view.axis.point({view.map.row_s(last_i), view.map.column_phi(j), last_r}));
+    }
+  }
+  if (static_cast<int>(curve.size()) < view.map.columns * 2 / 3) return out;
+  out.value = closed_length(curve, 2);
+  out.standard_deviation = 2 * kGirthShare * out.value + kLeastDeviation;
+  out.seen = true;
+  return out;
+}
+
+/// Way over the surface in the half plane of the trunk's axis at angle `phi` between two edges.
+double Observer::centre_path(const GarmentEdge& from, const GarmentEdge& to, double phi) const {
+  const Vec3 a = edge_point(from, phi), b = edge_point(to, phi);
+  const LimbView& view = edges.limbs.at("torso");
+  const double middle = 0.5 * (a.y() + b.y());
+  const Vec3 centre = view.axis.point({middle, 0, 0});
+  const Vec3 out = std::cos(phi) * Vec3::UnitZ() + std::sin(phi) * Vec3::UnitX();
+  const Section section =
+      cut_section(samples, view.members, centre, Vec3::UnitY(), out, 0.008, 240);
+  return section.length_between(a, b, centre + 0.2 * out);
+}
+
+ObservedLength Observer::path(const Observation& o) const {
+  ObservedLength out{&o, 0, 0, false};
+  const GarmentEdge *from = edge(o.edge), *to = edge(o.to_edge);
+  if (!from || !to || from->covered || to->covered) return out;
+  std::vector<double> ways;
+  if (o.side == "centre") {
+    ways = {centre_path(*from, *to, 0.0), centre_path(*from, *to, kPi)};
+  } else if (o.side == "shoulder_point") {
+    const LimbView& torso = edges.limbs.at("torso");
+    for (const double side : {0.5 * kPi, -0.5 * kPi}) {
+      const Vec3 shoulder = edge_point(*from, side);
+      const double low = *std::min_element(to->found.s.begin(), to->found.s.end());
+      const Vec3 centre(shoulder.x(), 0.5 * (shoulder.y() + low), torso.axis.point({0.5 * (shoulder.y() + low), 0, 0}).z());
+      const Section section = cut_section(samples, torso.members, centre, Vec3::UnitY(), Vec3::UnitZ(), 0.008, 240);
+      for (const double z : {1.0, -1.0}) {
+        // The hem where this plane meets it, in front and behind.
+        double best = 1e9;
+        Vec3 hem = centre;
+        for (int j = 0; j < torso.map.columns; ++j) {
+          const Vec3 p = torso.axis.point({to->found.s[j], torso.map.column_phi(j), to->found.r[j]});
+          if (z * (p.z() - centre.z()) < 0 || std::abs(p.x() - centre.x()) >= best) continue;
+          best = std::abs(p.x() - centre.x());
+          hem = p;
+        }
+        if (best > 0.02) continue;
+        ways.push_back(section.length_between(shoulder, hem, centre + 0.3 * z * Vec3::UnitZ()));
+      }
+    }
+  } else if (o.side == "top") {
+    const int side = to->limb == "left_arm" ? 0 : 1;
+    const Vec3 neck = edge_point(*from, side == 0 ? 0.5 * kPi : -0.5 * kPi);
+    const Vec3 cuff = edge_point(*to, 0.0);
+    // Over the shoulder in the upright plane through both ends.
+    const Vec3 along = (cuff - neck).normalized();
+    Vec3 up = Vec3::UnitY() - Vec3::UnitY().dot(along) * along;
+    up.normalize();
+    const Vec3 centre = 0.5 * (neck + cuff) - 0.15 * up;
+    std::vector<int> members = edges.limbs.at("torso").members;
+    const std::vector<int>& arm = edges.limbs.at(to->limb).members;
+    members.insert(members.end(), arm.begin(), arm.end());
+    const Section section = cut_section(samples, members, centre, up, along, 0.01, 240);
+    ways = {section.length_between(neck, cuff, centre + 0.3 * up)};
+  }
+  double sum = 0, n = 0;
+  for (double w : ways)
+    if (std::isfinite(w)) sum += w, n += 1;
+  if (n == 0) return out;
+  out.value = sum / n;
+  out.standard_deviation = kPathShare * out.value + kLeastDeviation +
+                           std::hypot(from->found.standard_error, to->found.standard_error);
+  if (o.side != "centre") out.standard_deviation += 0.012;  // where neck and shoulder meet is hard to see
+  out.seen = true;
+  return out;
+}
+
+ObservedLength Observer::fork(const Observation& o) const {
+  ObservedLength out{&o, 0, 0, false};
+  const GarmentEdge* cuff = edge(o.edge);
+  if (!cuff) return out;
+  const int side = cuff->limb == "left_arm" ? 0 : 1;
+  if (body.armpit[side] <= 0) return out;
+  const LimbView& view = limb(*cuff);
+  const LimbPoint armpit = view.axis.locate(Vec3(body.armpit_x[side], body.armpit[side], view.axis.point({0, 0, 0}).z()));
+  // A section through the armpit, leaning inwards at the top as an armhole does.
+  const Vec3 bottom = view.axis.point({armpit.s, kPi, armpit.r});
+  const Vec3 top = view.axis.point({armpit.s - 0.06, 0.0, 0.08});
+  const Vec3 up = (top - bottom).normalized();
+  const Vec3 across = view.axis.radial(armpit.s, 0.5 * kPi);
+  const Section section = cut_section(samples, view.members, 0.5 * (top + bottom), up, across, 0.008, 90);
+  std::vector<Vec3> curve;
+  for (int bin = 0; bin < 90; ++bin)
+    if (std::isfinite(section.r[bin])) curve.push_back(section.point(bin));
+  if (curve.size() < 50) return out;
+  out.value = closed_length(curve, 1);
+  out.standard_deviation = 0.05 * out.value + 0.01;
+  out.seen = true;
+  return out;
+}
+
+}  // namespace
+
+std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
+                                    const GarmentEdges& edges, const GarmentTemplate& garment) {
+  const Observer observer{samples, body, edges, garment};
+  std::vector<ObservedLength> out;
+  for (const Observation& o : garment.observations()) {
+    switch (o.kind) {
+      case Observation::Kind::Girth: out.push_back(observer.girth(o)); break;
+      case Observation::Kind::GirthAtOffset: out.push_back(observer.girth_at_offset(o)); break;
+      case Observation::Kind::Path: out.push_back(observer.path(o)); break;
+      case Observation::Kind::Fork: out.push_back(observer.fork(o)); break;
+    }
+  }
+  return out;
+}
+
+}  // namespace regarment

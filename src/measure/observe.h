@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "garment/garment_template.h"
+#include "measure/garment_edges.h"
+
+namespace regarment {
+
+/// One observation of the template as measured on the scan.
+struct ObservedLength {
+  const Observation* observation = nullptr;
+  double value = 0;               // m, worn
+  double standard_deviation = 0;  // m
+  bool seen = false;              // false: the scan does not show it
+};
+
+/// Measures what the template says can be seen, on the garment between the edges found.
+/// One entry per observation of the template, in its order.
+std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
+                                    const GarmentEdges& edges, const GarmentTemplate& garment);
+
+/// The dimensions that explain the observed lengths best (weighted least squares by Gauss-Newton from
+/// the typical ones, within the bounds), with their standard deviations. A dimension that no seen
+/// observation depends on keeps its typical value and is not observable.
+struct SolvedDimension {
+  double value = 0;               // m
+  double standard_deviation = 0;  // m
+  bool observable = false;
+};
+std::map<std::string, SolvedDimension> solve_dimensions(const GarmentTemplate& garment,
+                                                        const std::vector<ObservedLength>& observed);
+
+}  // namespace regarment
