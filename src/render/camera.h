@@ -26,7 +26,11 @@ struct Box {
   void add(const Vec3& point) { low = low.cwiseMin(point), high = high.cwiseMax(point); }
 };
 
-/// The box around points. Throws InvalidInput naming the first point that is not finite.
+/// Throws InvalidInput naming vertex `index` when the point is not finite or further than 1e9 m
+/// away.
+void check_drawable(const Vec3& point, std::size_t index);
+
+/// The box around points. Throws InvalidInput for a point that `check_drawable` refuses.
 Box bounding_box(std::span<const Vec3> points);
 
 /// Orthographic camera: body frame (metres, y up, +z to the person's front, +x to the person's
