@@ -71,15 +71,18 @@ struct Requirement {
 /// An arrow of the drawing; its length is share * dimension.
 struct MeasureArrow {
   std::string dimension;
+  int piece = 0;  // index into TemplateData::pieces
   double share = 1.0;
   std::array<Formula, 2> from, to;
-  Formula offset;  // file unit: the arrow lies this far from the line measured
+  Formula offset;         // file unit: the arrow lies this far to the left of from -> to, t down
+  double label_at = 0.5;  // where along the arrow its text stands, 0..1
 };
 
 struct DrawnPiece {
   std::string title;
   std::vector<int> panels;
   int cut = 1;
+  std::array<Formula, 2> grain_from, grain_to;
 };
 
 struct Derived {

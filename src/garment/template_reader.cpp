@@ -110,12 +110,15 @@ Observation read_observation(const JsonNode& node, const TemplateData& data) {
 }
 
 MeasureArrow read_arrow(const JsonNode& node, const TemplateData& data) {
-  node.keys({"dimension", "share", "from", "to", "offset"});
+  node.keys({"dimension", "piece", "share", "from", "to", "offset", "label_at"});
   MeasureArrow arrow;
   arrow.dimension = node.at("dimension").text(40);
   if (std::none_of(data.dimensions.begin(), data.dimensions.end(),
                    [&](const Dimension& d) { return d.name == arrow.dimension; }))
     node.at("dimension").fail("there is no dimension of this name");
+  arrow.piece =
+      node.has("piece") ? node.at("piece").integer(0, static_cast<int>(data.pieces.size()) - 1) : 0;
+  if (node.has("label_at")) arrow.label_at = node.at("label_at").number(0.0, 1.0);
   arrow.share = node.at("share").number(0.01, 1.0);
   arrow.from = read_point(node.at("from"), data);
   arrow.to = read_point(node.at("to"), data);
@@ -126,8 +129,13 @@ MeasureArrow read_arrow(const JsonNode& node, const TemplateData& data) {
 void read_drawing(const JsonNode& node, TemplateData& data) {
   node.keys({"pieces", "measures"});
   for (const JsonNode& entry : node.at("pieces").items(1, 16)) {
-    entry.keys({"title", "panels", "cut"});
-    DrawnPiece piece{entry.at("title").text(80), {}, entry.at("cut").integer(1, 99)};
+    entry.keys({"title", "panels", "cut", "grain"});
+    DrawnPiece piece;
+    piece.title = entry.at("title").text(80);
+    piece.cut = entry.at("cut").integer(1, 99);
+    const auto grain = entry.at("grain").items(2, 2);
+    piece.grain_from = read_point(grain[0], data);
+    piece.grain_to = read_point(grain[1], data);
     for (const JsonNode& panel : entry.at("panels").items(1, data.panels.size())) {
       const std::string name = panel.text(40);
       const auto found = std::find_if(data.panels.begin(), data.panels.end(),

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "garment/garment_template.h"
+
+namespace regarment {
+
+struct PatternDrawingOptions {
+  // A file of its own: XML declaration, dark ink on white. Otherwise for inlining into a page,
+  // whose text colour it takes over (currentColor) and which may set the CSS variable --rp-accent
+  // for the measurement arrows.
+  bool standalone = true;
+};
+
+/// The flat pattern in real size (SVG text; one user unit is one millimetre): every distinct piece
+/// side by side with its outline, seams inside it dashed, centre line, construction lines, grain
+/// line, and an arrow per measurement with code, title and length; below, a table of the
+/// measurements, a scale bar of 10 cm and what is to be cut. CSS classes begin with "rp-".
+/// Same input, same bytes. Throws InvalidInput when `dimensions` make no garment.
+std::string pattern_svg(const GarmentTemplate& garment, const Dimensions& dimensions,
+                        const PatternDrawingOptions& options = {});
+
+}  // namespace regarment
