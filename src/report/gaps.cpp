@@ -16,10 +16,10 @@ struct ToData {
   mustache::data operator()(bool yes) const {
     return yes ? mustache::data::type::bool_true : mustache::data::type::bool_false;
   }
-  mustache::data operator()(const std::vector<Gaps>& list) const {
-    mustache::data list(mustache::data::type::list);
-    for (const Gaps& gaps : list) list.push_back(data_of(gaps));
-    return list;
+  mustache::data operator()(const std::vector<Gaps>& items) const {
+    mustache::data out(mustache::data::type::list);
+    for (const Gaps& item : items) out.push_back(data_of(item));
+    return out;
   }
 };
 

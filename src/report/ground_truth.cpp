@@ -1,5 +1,7 @@
 #include "report/ground_truth.h"
 
+#include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "base/error.h"
@@ -158,15 +160,15 @@ void apply_ground_truth(const std::vector<TruthRow>& rows, const std::string& ta
   }
 }
 
-void apply_ground_truth_file(const fs::path& table, const fs::path& scan, Analysis& analysis) {
+std::vector<TruthRow> read_ground_truth(const fs::path& table, const fs::path& scan) {
   const std::string name = table.filename().string();
   const CsvTable cells = CsvTable::parse(read_file(table, (16u << 20) + 1), name);
-  const auto rows = rows_of_scan(truth_rows(cells), table.parent_path(), scan);
+  std::vector<TruthRow> rows = rows_of_scan(truth_rows(cells), table.parent_path(), scan);
   if (rows.empty()) {
     throw UsageError(name + ": no row is about the scan " + scan.filename().string() +
                      "; its column 'scan' must hold the file's path, name or stem");
   }
-  apply_ground_truth(rows, name, analysis);
+  return rows;
 }
 
 }  // namespace regarment

@@ -41,9 +41,9 @@ std::vector<TruthRow> rows_of_scan(const std::vector<TruthRow>& rows,
 void apply_ground_truth(const std::vector<TruthRow>& rows, const std::string& table_name,
                         Analysis& analysis);
 
-/// Reads a table and applies what it says about `scan`. The table is a file of at most 16 MiB;
-/// throws ReadError when it cannot be read, UsageError when it says nothing about this scan.
-void apply_ground_truth_file(const std::filesystem::path& table, const std::filesystem::path& scan,
-                             Analysis& analysis);
+/// The rows of a table file that speak of the scan file at `scan`. Throws ReadError when the table
+/// cannot be read or is larger than 16 MiB, UsageError when it says nothing about this scan.
+std::vector<TruthRow> read_ground_truth(const std::filesystem::path& table,
+                                        const std::filesystem::path& scan);
 
 }  // namespace regarment

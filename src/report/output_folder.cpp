@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -22,17 +23,20 @@ bool holds(const fs::path& folder, const fs::path& inner) {
 }
 
 // Where a full folder may be replaced: --force must not take more than an earlier result.
-void check_replaceable(const fs::path& place, const fs::path& input) {
+void check_replaceable(const fs::path& place, const std::vector<fs::path>& inputs) {
   std::error_code ignored;
   const fs::path here = fs::current_path(ignored);
-  if (place == place.root_path() || holds(place, here) || (!input.empty() && holds(place, input))) {
+  const bool holds_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+    return holds(place, fs::absolute(input));
+  });
+  if (place == place.root_path() || holds(place, here) || holds_input) {
     throw UsageError(place.string() +
                      ": holds the working directory or the input and is not replaced; choose "
                      "another --out");
   }
 }
 
-void check_place(const fs::path& place, bool replace, const fs::path& input) {
+void check_place(const fs::path& place, bool replace, const std::vector<fs::path>& inputs) {
   std::error_code error;
   const fs::file_status status = fs::symlink_status(place, error);
   if (status.type() == fs::file_type::not_found) return;
@@ -45,7 +49,7 @@ void check_place(const fs::path& place, bool replace, const fs::path& input) {
   if (!replace) {
     throw UsageError(place.string() + ": is there and not empty; choose another --out or --force");
   }
-  check_replaceable(place, input);
+  check_replaceable(place, inputs);
 }
 
 fs::path resolved(const fs::path& place) {
@@ -70,14 +74,14 @@ void open_to_umask(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& place, bool replace, const fs::path& input)
+OutputFolder::OutputFolder(const fs::path& place, bool replace, const std::vector<fs::path>& inputs)
     : place_(resolved(place)), replace_(replace) {
-  check_place(place_, replace, input);
+  check_place(place_, replace, inputs);
   make_parents(place_.parent_path());
   std::string name = (place_.parent_path() / ".regarment-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
     const int error = errno;
-    if (!made_.empty()) fs::remove_all(made_);
+    remove_parents();
     throw_write_error(place, error);
   }
   hidden_ = name;
@@ -87,25 +91,24 @@ OutputFolder::OutputFolder(const fs::path& place, bool replace, const fs::path& 
 void OutputFolder::make_parents(const fs::path& parent) {
   std::error_code error;
   if (fs::is_directory(parent, error)) return;
-  fs::path top = parent;
-  while (top.has_relative_path() && !fs::exists(top.parent_path(), error)) top = top.parent_path();
-  fs::create_directories(parent, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(top, ignored);
-    throw_write_error(parent, error.value());
-  }
-  made_ = top;
+  if (parent.has_relative_path()) make_parents(parent.parent_path());
+  if (fs::create_directory(parent, error)) made_.push_back(parent);
+  if (!error && !fs::is_directory(parent, error)) error = {ENOTDIR, std::generic_category()};
+  if (!error) return;
+  remove_parents();
+  throw_write_error(parent, error.value());
+}
+
+// Only while they are empty: something else may have come to stand there meanwhile.
+void OutputFolder::remove_parents() {
+  std::error_code ignored;
+  for (; !made_.empty(); made_.pop_back()) fs::remove(made_.back(), ignored);
 }
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
   if (!hidden_.empty()) fs::remove_all(hidden_, ignored);
-  // Parents go only while empty: something else may have come to stand there meanwhile.
-  if (made_.empty()) return;
-  for (fs::path parent = place_.parent_path(); fs::remove(parent, ignored) && parent != made_;) {
-    parent = parent.parent_path();
-  }
+  remove_parents();
 }
 
 void OutputFolder::write(const fs::path& name, std::string_view bytes) {
@@ -145,8 +148,8 @@ void OutputFolder::exchange() {
   hidden_ = old;
 }
 
-void check_output_folder(const fs::path& place, bool replace, const fs::path& input) {
-  OutputFolder(place, replace, input);
+void check_output_folder(const fs::path& place, bool replace, const std::vector<fs::path>& inputs) {
+  OutputFolder(place, replace, inputs);
 }
 
 }  // namespace regarment

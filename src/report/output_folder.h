@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace regarment {
 
@@ -10,11 +11,10 @@ namespace regarment {
 class OutputFolder {
  public:
   /// `place` may not exist (missing parents are made), be an empty folder, or, with `replace`, be
-  /// any folder that holds neither the working directory nor `input` (which may be empty) nor is a
-  /// root. Throws UsageError when it may not be written there, TemporaryError when the disk is
-  /// full.
+  /// any folder that is no root and holds neither the working directory nor any of `inputs`. Throws
+  /// UsageError when it may not be written there, TemporaryError when the disk is full.
   OutputFolder(const std::filesystem::path& place, bool replace,
-               const std::filesystem::path& input = {});
+               const std::vector<std::filesystem::path>& inputs = {});
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -31,17 +31,18 @@ class OutputFolder {
 
  private:
   void make_parents(const std::filesystem::path& parent);
+  void remove_parents();
   void exchange();
 
-  std::filesystem::path place_;   // absolute, no symbolic link at its end
-  std::filesystem::path hidden_;  // sibling of place_; empty once published
-  std::filesystem::path made_;    // topmost parent made here, or empty
+  std::filesystem::path place_;              // absolute, no symbolic link at its end
+  std::filesystem::path hidden_;             // sibling of place_; empty once published
+  std::vector<std::filesystem::path> made_;  // parents made here, outermost first
   bool replace_;
 };
 
 /// Tries the constructor of OutputFolder and leaves nothing: a place that will not do is told
 /// before the work begins.
 void check_output_folder(const std::filesystem::path& place, bool replace,
-                         const std::filesystem::path& input = {});
+                         const std::vector<std::filesystem::path>& inputs = {});
 
 }  // namespace regarment

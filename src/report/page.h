@@ -12,7 +12,7 @@ namespace regarment {
 struct PageParts {
   std::map<std::string, std::string>
       pictures;                       // StoredFigure::file -> bytes of a WebP, JPEG or PNG
-  std::vector<std::string> drawings;  // one SVG per garment, passed by check_drawing
+  std::vector<std::string> drawings;  // one SVG per garment
 };
 
 /// The whole report as one HTML file that requests nothing. Depends on its arguments alone, so a

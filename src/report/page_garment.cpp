@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -88,19 +89,20 @@ bool any(const ResultGarment& garment, bool (*has)(const ResultMeasurement&)) {
   return std::any_of(garment.measurements.begin(), garment.measurements.end(), has);
 }
 
-// Where the drawing's own size in millimetres is left, a page for a phone cannot show it.
-std::string scalable(std::string svg) {
-  const std::size_t begin = svg.find("<svg");
-  const std::size_t end = svg.find('>', begin);
-  if (begin == std::string::npos || end == std::string::npos) return {};
-  std::string head = svg.substr(begin, end - begin);
-  for (const std::string name : {" width=\"", " height=\""}) {
-    const std::size_t from = head.find(name);
-    if (from == std::string::npos) continue;
-    const std::size_t to = head.find('"', from + name.size());
-    if (to != std::string::npos) head.erase(from, to - from + 1);
+// As a picture the drawing keeps its styles and its text to itself, and can neither run nor fetch.
+std::string picture_of(const std::string& svg) {
+  if (!svg.starts_with("<svg") && !svg.starts_with("<?xml")) {
+    throw ReadError("a pattern drawing is no SVG; run 'regarment fit' again");
   }
-  return head + svg.substr(end);
+  return "data:image/svg+xml;base64," + base64(svg);
+}
+
+std::string in_words(const ResultGarment& garment) {
+  std::string text = "Flat pattern of the " + garment.title + " with its measurements";
+  for (const ResultMeasurement& m : garment.measurements) {
+    text += ", " + m.code + " " + m.title + " " + cm(m.value_cm) + " cm";
+  }
+  return text;
 }
 
 }  // namespace
@@ -130,7 +132,8 @@ Gaps show_garment(const ResultGarment& garment, const std::string& drawing) {
   gaps.set("edges", std::move(edges));
   gaps.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
   gaps.set("stretch", fixed_text((garment.mean_stretch - 1.0) * 100.0, 1));
-  gaps.set("drawing", scalable(drawing));
+  gaps.set("drawing", picture_of(drawing));
+  gaps.set("drawing_in_words", in_words(garment));
   return gaps;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/analysis.h"
+#include "base/progress.h"
 #include "report/result.h"
 
 namespace regarment {
@@ -16,8 +17,8 @@ struct Pictures {
 };
 
 /// Draws the scan, its segmentation, the placement and the garments on the scan, each from four
-/// sides at one scale, so that pictures of one side lie exactly over each other. About 900 KB in
-/// all. Reports its progress as the stage "draw".
-Pictures draw_pictures(const Analysis& analysis, const Progress& progress);
+/// sides at one scale, so that pictures of one side lie exactly over each other. At most 900 KB in
+/// all. The same bytes for any number of `threads` (>= 1). Reports progress as the stage "draw".
+Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& progress);
 
 }  // namespace regarment

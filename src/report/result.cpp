@@ -1,5 +1,8 @@
 #include "report/result.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "base/one_line.h"
 #include "report/text.h"

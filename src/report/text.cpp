@@ -1,5 +1,7 @@
 #include "report/text.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>

@@ -110,8 +110,8 @@ TEST(OutputFolder, NeverReplacesTheInputOrTheRoot) {
   fs::create_directory(home.path() / "scans");
   const fs::path scan = home.path() / "scans/a.ply";
   write_file(scan, "x");
-  EXPECT_THROW(OutputFolder(home.path() / "scans", true, scan), UsageError);
-  EXPECT_THROW(OutputFolder(home.path(), true, scan), UsageError);
+  EXPECT_THROW(OutputFolder(home.path() / "scans", true, {scan}), UsageError);
+  EXPECT_THROW(OutputFolder(home.path(), true, {scan}), UsageError);
   EXPECT_THROW(OutputFolder("/", true), UsageError);
   EXPECT_THROW(OutputFolder(fs::current_path(), true), UsageError);
   EXPECT_TRUE(fs::exists(scan));

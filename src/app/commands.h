@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/command_line.h"
+#include "app/console.h"
+
+// The commands: each checks what it was given, makes one call and answers. They throw the errors
+// of base/error.h, which `main` turns into an exit status.
+
+namespace regarment {
+
+/// Finds the garments and writes the result folder. Says the report's path, or result.json.
+void run_fit(const FitArguments& arguments, Console& console);
+
+/// Makes report.html of a stored result again. Says its path.
+void run_report(const ReportArguments& arguments, Console& console);
+
+/// Draws each mesh from four sides into NAME-SIDE.png. Says the files.
+void run_render(const RenderArguments& arguments, Console& console);
+
+/// Lists the templates, or shows one with its measurements, bounds and drawing.
+void run_templates(const TemplatesArguments& arguments, Console& console);
+
+}  // namespace regarment

@@ -1,0 +1,74 @@
+// The program: reads the command line, runs one command, turns errors into an exit status.
+
+#include <unistd.h>
+
+#include <new>
+
+#include "app/commands.h"
+#include "base/error.h"
+#include "base/one_line.h"
+
+namespace regarment {
+namespace {
+
+constexpr int kInternal = 1;
+constexpr int kTemporary = 75;
+
+// The one line of a failure, whatever the message holds.
+int fail(int status, const std::string& message) {
+  const std::string line = "regarment: " + one_line(message, 2000) + "\n";
+  // Nothing is left to be told when this cannot be written.
+  (void)!::write(STDERR_FILENO, line.data(), line.size());
+  return status;
+}
+
+struct Run {
+  const StopSignal& stop;
+
+  void operator()(const TextAnswer& answer) const { Console::answer(answer.text); }
+  void operator()(const FitArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_fit(arguments, console);
+  }
+  void operator()(const ReportArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_report(arguments, console);
+  }
+  void operator()(const RenderArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_render(arguments, console);
+  }
+  void operator()(const TemplatesArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_templates(arguments, console);
+  }
+};
+
+int stopped(const StopSignal& stop) {
+  const bool interrupted = stop.exit_status() == 130;
+  return fail(stop.exit_status(), std::string("stopped by ") +
+                                      (interrupted ? "SIGINT" : "SIGTERM") +
+                                      "; nothing was written, run it again to have the result");
+}
+
+int run(int argc, const char* const* argv) {
+  const StopSignal stop;
+  try {
+    std::visit(Run{stop}, parse_command_line(argc, argv));
+    return 0;
+  } catch (const Stopped&) {
+    return stopped(stop);
+  } catch (const Error& error) {
+    if (stop.asked()) return stopped(stop);
+    return fail(error.exit_status(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kTemporary, "out of memory; give the program more or a scan with fewer vertices");
+  } catch (const std::exception& error) {
+    return fail(kInternal, std::string("internal error: ") + error.what() + "; please report it");
+  }
+}
+
+}  // namespace
+}  // namespace regarment
+
+int main(int argc, char** argv) { return regarment::run(argc, argv); }

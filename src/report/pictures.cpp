@@ -1,0 +1,90 @@
+#include "report/pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "render/render_figures.h"
+
+namespace regarment {
+namespace {
+
+constexpr std::array<Look, 4> kLooks = {Look::Scan, Look::Segmentation, Look::Placement,
+                                        Look::Drape};
+
+// At most 18 pictures of a scan lie in a page; at this size and quality they come to less than
+// 900 KB and still show a seam on a phone's and a printer's resolution.
+constexpr int kWidth = 420, kHeight = 760, kQuality = 78;
+
+Scene scene_of(const Analysis& analysis) {
+  Scene scene{.scan = analysis.scan.mesh,
+              .labels = analysis.labels,
+              .values = {},
+              .cap = analysis.cap,
+              .outlier = analysis.scan.outlier,
+              .garments = {}};
+  for (const GarmentAnalysis& garment : analysis.garments) {
+    scene.garments.push_back(
+        {garment.pattern.triangles, garment.placed, garment.draped, garment.layer});
+  }
+  return scene;
+}
+
+std::string encoded(const Image& image) {
+  const std::vector<std::byte> bytes = encode_image(image, ImageFormat::WebP, kQuality);
+  std::string out(bytes.size(), '\0');
+  std::transform(bytes.begin(), bytes.end(), out.begin(),
+                 [](std::byte b) { return static_cast<char>(b); });
+  return out;
+}
+
+// Each picture by itself, so the bytes are the same however many threads share the work.
+std::vector<std::string> encode_all(const std::vector<Figure>& figures, int threads) {
+  std::vector<std::string> out(figures.size());
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex guard;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < figures.size(); i = next++) {
+        out[i] = encoded(figures[i].image);
+      }
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return out;
+}
+
+}  // namespace
+
+Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& progress) {
+  progress.report("draw", 0.0);
+  FigureOptions options;
+  options.framing.width = kWidth;
+  options.framing.height = kHeight;
+  const std::vector<Figure> figures = render_figures(scene_of(analysis), kLooks, options);
+  progress.report("draw", 0.5);
+  std::vector<std::string> bytes = encode_all(figures, threads);
+  Pictures out;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::string kind(look_name(figures[i].look)), side(view_name(figures[i].view));
+    const std::string file = "pictures/" + kind + "-" + side + ".webp";
+    out.figures.push_back({kind, side, file, figures[i].image.width, figures[i].image.height});
+    out.bytes[file] = std::move(bytes[i]);
+  }
+  progress.report("draw", 1.0);
+  return out;
+}
+
+}  // namespace regarment

@@ -1,0 +1,133 @@
+#include "report/report_folder.h"
+
+#include "base/error.h"
+#include "garment/pattern_json.h"
+#include "garment/pattern_svg.h"
+#include "geometry/ply_writer.h"
+#include "render/heat_map.h"
+#include "report/files.h"
+#include "report/measurements_csv.h"
+#include "report/output_folder.h"
+#include "report/page.h"
+
+namespace regarment {
+namespace {
+
+constexpr std::size_t kMostJson = 64u << 20;     // bytes of a stored result.json
+constexpr std::size_t kMostPicture = 16u << 20;  // and of a stored picture or drawing
+
+std::vector<Vec3> in_file(const Scan& scan, const std::vector<Vec3>& p_in_body) {
+  std::vector<Vec3> out;
+  out.reserve(p_in_body.size());
+  for (const Vec3& p : p_in_body) out.emplace_back(scan.file_from_body * p);
+  return out;
+}
+
+std::string labels_file(const std::vector<std::uint8_t>& labels) {
+  return {labels.begin(), labels.end()};
+}
+
+// The colours of the labels in the pictures, paler where the label is unsure.
+std::vector<Colour> label_colours(const Analysis& analysis) {
+  std::vector<Colour> out;
+  out.reserve(analysis.labels.size());
+  for (const std::uint8_t label : analysis.labels) {
+    out.push_back(garment_colour(label == 0 ? 0 : analysis.garments[label - 1u].layer));
+  }
+  return out;
+}
+
+std::string segmented_ply(const Analysis& analysis) {
+  const Mesh& mesh = analysis.scan.mesh;
+  PlyWriter ply(mesh.positions.size());
+  ply.positions(in_file(analysis.scan, mesh.positions))
+      .column("label", analysis.labels)
+      .column("probability", analysis.label_probability)
+      .colours(label_colours(analysis));
+  if (!mesh.is_cloud()) ply.triangles(mesh.triangles);
+  return ply.bytes();
+}
+
+std::string garment_ply(const Analysis& analysis, const GarmentAnalysis& garment) {
+  return PlyWriter(garment.draped.size())
+      .positions(in_file(analysis.scan, garment.draped))
+      .coordinates(garment.pattern.flat)
+      .triangles(garment.pattern.triangles)
+      .bytes();
+}
+
+std::string numbered(const std::string& name, std::size_t i, const std::string& ending) {
+  return name + "-" + std::to_string(i + 1) + ending;
+}
+
+void write_all(const ReportFiles& files, const std::filesystem::path& place, bool replace,
+               const Progress& progress) {
+  OutputFolder out(place, replace);
+  for (const auto& [name, bytes] : files) {
+    progress.report("write", 0.5);
+    out.write(name, bytes);
+  }
+  out.publish();
+}
+
+PageParts stored_parts(const Result& result, const std::filesystem::path& folder) {
+  PageParts parts;
+  for (const StoredFigure& figure : result.figures) {
+    parts.pictures[figure.file] = read_file(folder / figure.file, kMostPicture);
+  }
+  for (std::size_t i = 0; i < result.garments.size(); ++i) {
+    parts.drawings.push_back(read_file(folder / numbered("pattern", i, ".svg"), kMostPicture));
+  }
+  return parts;
+}
+
+}  // namespace
+
+ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
+                         const ReportOptions& options, const Pictures& pictures) {
+  Result result = make_result(analysis, templates, options);
+  result.figures = pictures.figures;
+  ReportFiles files(pictures.bytes.begin(), pictures.bytes.end());
+  PageParts parts{pictures.bytes, {}};
+  for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
+    const GarmentAnalysis& garment = analysis.garments[i];
+    parts.drawings.push_back(pattern_svg(templates[i], garment.dimensions));
+    files[numbered("pattern", i, ".svg")] = parts.drawings.back();
+    files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
+    files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
+  }
+  files["labels.u8"] = labels_file(analysis.labels);
+  files["segmented.ply"] = segmented_ply(analysis);
+  files["measurements.csv"] = measurements_csv(result);
+  files["result.json"] = result_json(result);
+  // By way of the file, as `regarment report` does: the page cannot know more than the file.
+  files["report.html"] = report_page(parse_result(files["result.json"], "result.json"), parts);
+  return files;
+}
+
+std::string write_report_folder(const Analysis& analysis,
+                                const std::vector<GarmentTemplate>& templates,
+                                const ReportOptions& options, const std::filesystem::path& place,
+                                bool replace, const Progress& progress) {
+  const Pictures pictures = draw_pictures(analysis, options.threads, progress);
+  progress.report("write", 0.0);
+  const ReportFiles files = report_files(analysis, templates, options, pictures);
+  write_all(files, place, replace, progress);
+  progress.report("write", 1.0);
+  return files.at("result.json");
+}
+
+std::filesystem::path remake_report(const std::filesystem::path& folder) {
+  const std::string json = read_file(folder / "result.json", kMostJson);
+  const Result result = parse_result(json, "result.json");
+  const std::string page = report_page(result, stored_parts(result, folder));
+  const std::filesystem::path place = folder / "report.html", hidden = folder / ".report.html-new";
+  std::error_code error;
+  std::filesystem::remove(hidden, error);
+  write_file(hidden, page);
+  std::filesystem::rename(hidden, place, error);
+  if (error) throw_write_error(place, error.value());
+  return place;
+}
+
+}  // namespace regarment
