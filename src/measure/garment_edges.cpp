@@ -11,9 +11,11 @@ namespace {
 
 constexpr int kTrunkColumns = 144, kArmColumns = 40, kNeckColumns = 72;
 constexpr double kTrunkStep = 0.004, kArmStep = 0.005, kNeckStep = 0.004;
+constexpr double kFacing = 0.5;        // caps and bulges that close a hem face down, cloth faces out
 constexpr double kArmReach = 0.16;     // m, samples further from an arm's axis are torso
 constexpr double kLeastCoverage = 0.8; // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
+constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
 constexpr double kRivalShare = 0.7;    // of the best edge's score that makes another edge a rival
 
@@ -123,7 +125,7 @@ void Finder::missing(const std::string& name, const FoundEdge& edge) const {
 void Finder::add_limbs() {
   const LimbAxis trunk = trunk_axis(body);
   std::vector<int> members = trunk_members(body, taken, false);
-  LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns);
+  LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
   out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
   for (const std::string& limb : pattern.panel_limbs)
     out.upper_body = out.upper_body || limb != "torso";
@@ -166,7 +168,7 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   if (!found.found.found()) missing(edge.name, found.found);
   if (!taken.empty()) {
     const LimbMap hidden = make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0,
-                                         body.neck, kTrunkStep, kTrunkColumns);
+                                         body.neck, kTrunkStep, kTrunkColumns, kFacing);
     found.covered = covered_share(view, hidden, found) > 0.5;
   }
   if (!found.covered && (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore))
@@ -193,13 +195,54 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
 }
 
+/// Where a neckline of this width and depth would lie on the shoulders: s per column of the map.
+/// At the sides it is as far out as half its width; in front and behind it lies lower by its drop.
+std::vector<double> expected_neckline(const LimbView& view, double half_width, double drop) {
+  const LimbMap& map = view.map;
+  const auto at = [&](int i, int j) {
+    return view.axis.point({map.row_s(i), map.column_phi(j), map.radius[map.index(i, j)]});
+  };
+  const double middle = view.axis.point({0, 0, 0}).x();
+  double shoulder = 0, sides = 0;
+  for (const double phi : {0.5, -0.5}) {
+    const int j = static_cast<int>((phi + 1) / 2 * map.columns);
+    for (int i = 0; i < map.rows; ++i) {
+      if (!map.has(i, j) || std::abs(at(i, j).x() - middle) < half_width) continue;
+      shoulder += at(i, j).y(), sides += 1;
+      break;
+    }
+  }
+  std::vector<double> s(map.columns, 0.0);
+  if (sides == 0) return {};
+  shoulder /= sides;
+  for (int j = 0; j < map.columns; ++j) {
+    const double c = std::cos(map.column_phi(j));
+    const double height = shoulder - drop * c * c;
+    s[j] = j == 0 ? 0.12 : s[j - 1];
+    // From outside inwards: the first row that is as high as the neckline.
+    for (int i = map.rows - 1; i >= 0; --i) {
+      if (!map.has(i, j) || at(i, j).y() < height) continue;
+      s[j] = map.row_s(i);
+      break;
+    }
+  }
+  return s;
+}
+
 void Finder::find_on_neck(const PatternEdge& edge) {
   const LimbView& view = out.limbs.at("neck");
+  double left = -1e9, right = 1e9, low = -1e9, high = 1e9;
+  for (int v : edge.vertices) {
+    left = std::max(left, pattern.flat[v].x()), right = std::min(right, pattern.flat[v].x());
+    low = std::max(low, pattern.flat[v].y()), high = std::min(high, pattern.flat[v].y());
+  }
   GarmentEdge found;
   found.limb = "neck";
   found.garment_above = true;  // larger angle from straight up
   EdgeSearch search;
-  search.s_low = 0.05, search.s_high = 0.2;
+  search.centre = expected_neckline(view, 0.5 * (left - right), low - high);
+  search.spread = kNeckSpread;
+  search.s_low = 0.03, search.s_high = 0.24;
   search.most_step = 0.02;
   found.found = find_edge(view.map, search);
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));

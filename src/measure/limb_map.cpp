@@ -12,7 +12,7 @@ namespace regarment {
 namespace {
 
 constexpr double kPolarRadius = 0.15;  // m that stand for one radian from straight up
-constexpr double kBelowNeck = 0.13;    // m from the narrowest level of the neck down to the rays' centre
+constexpr double kBelowNeck = 0.16;    // m from the narrowest level of the neck down to the rays' centre
 constexpr double kLayer = 0.006;  // m: samples this far below the outermost one still count as outer
 
 Vec3 perpendicular(const Vec3& v, const Vec3& axis) {
@@ -157,11 +157,9 @@ LimbAxis arm_axis(const Body& body, int side) {
 }
 
 LimbAxis neck_axis(const Body& body) {
-  // The centre lies under the neck, as deep in the torso as the levels below the armpits say.
-  const double y = body.neck - kBelowNeck - 0.03;
-  const TrunkLevel& torso = body.level(y);
-  const TrunkLevel& neck = body.level(body.neck);
-  return LimbAxis::polar({neck.centre().x(), y, 0.5 * (torso.centre().y() + neck.centre().y())});
+  const double y = body.neck - kBelowNeck;
+  const Vec2 middle = body.level(y).centre();
+  return LimbAxis::polar({body.level(body.neck).centre().x(), y, middle.y()});
 }
 
 double LimbMap::column_phi(double j) const {

@@ -1,9 +1,11 @@
 #include "measure/observe.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "measure/outline.h"
 #include "measure/section.h"
 
 namespace regarment {
@@ -15,11 +17,29 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kGirthShare = 0.012, kPathShare = 0.01, kLeastDeviation = 0.004;
 constexpr double kTiltError = 1.5;  // m of girth for a metre of height of the waist (design notes)
 
+constexpr double kSteepest = 3.5;       // m of girth per m, a full circle skirt has 2 pi
+constexpr double kHalfSlice = 0.004;    // m, half the thickness of a slice that is outlined
+constexpr double kWidestSlice = 0.6;    // m from its centre
+
+/// The plane an edge lies in, nearly.
+struct EdgePlane {
+  Vec3 centre = Vec3::Zero();
+  Vec3 normal = Vec3::UnitY(), a = Vec3::UnitX(), b = Vec3::UnitZ();
+  double reach = 0;  // m, how far the edge reaches into the garment from its mean plane
+};
+
 struct Observer {
   const SurfaceSamples& samples;
   const Body& body;
   const GarmentEdges& edges;
-  const GarmentTemplate& garment;
+  const std::vector<std::uint8_t>& cloth;  // per sample: 1 = on the garment
+
+  std::vector<int> on_cloth(const std::vector<int>& members) const {
+    std::vector<int> kept;
+    for (int m : members)
+      if (cloth[m]) kept.push_back(m);
+    return kept;
+  }
 
   const GarmentEdge* edge(const std::string& name) const {
     const auto it = edges.edges.find(name);
@@ -27,6 +47,8 @@ struct Observer {
   }
   const LimbView& limb(const GarmentEdge& e) const { return edges.limbs.at(e.limb); }
 
+  double slice_girth(const GarmentEdge& e, const EdgePlane& plane, double inside) const;
+  EdgePlane plane_of(const GarmentEdge& e) const;
   ObservedLength girth(const Observation& o) const;
   ObservedLength girth_at_offset(const Observation& o) const;
   ObservedLength path(const Observation& o) const;
@@ -42,19 +64,91 @@ Vec3 Observer::edge_point(const GarmentEdge& e, double phi) const {
   return view.axis.point({e.found.s[j], view.map.column_phi(j), e.found.r[j]});
 }
 
+/// Outline of the garment at a distance inside from the plane through an edge, m; 0 when too much is
+/// missing. `plane` spans the slice: centre, two directions.
+double Observer::slice_girth(const GarmentEdge& e, const EdgePlane& plane, double inside) const {
+  const LimbView& view = limb(e);
+  const Vec3 towards = e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0)
+                           ? plane.normal : Vec3(-plane.normal);
+  std::vector<Vec2> points;
+  for (int m : view.members) {
+    if (!cloth[m]) continue;
+    const Vec3 d = samples.positions[m] - plane.centre;
+    if (std::abs(d.dot(towards) - inside) < kHalfSlice && d.squaredNorm() < kWidestSlice * kWidestSlice)
+      points.emplace_back(d.dot(plane.a), d.dot(plane.b));
+  }
+  double bridged = 0;
+  const double length = outline_length(points, Vec2::Zero(), 0.006, &bridged);
+  return bridged < 0.4 ? length : 0.0;
+}
+
+EdgePlane Observer::plane_of(const GarmentEdge& e) const {
+  const LimbView& view = limb(e);
+  const std::vector<Vec3> points = edge_points(e.found, view.map, view.axis);
+  EdgePlane plane;
+  for (const Vec3& p : points) plane.centre += p / static_cast<double>(points.size());
+  plane.normal = view.axis.tangent(view.axis.locate(plane.centre).s);
+  if (e.limb != "torso") {
+    // A cuff is as plane as the cloth's edge; the torso's edges are cut level.
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Vec3& p : points) scatter += (p - plane.centre) * (p - plane.centre).transpose();
+    const Vec3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+    plane.normal = normal.dot(plane.normal) < 0 ? Vec3(-normal) : normal;
+  }
+  plane.a = plane.normal.unitOrthogonal();
+  plane.b = plane.normal.cross(plane.a);
+  // Mean and reach of the edge across its plane: slices begin where the whole loop is cloth.
+  const double sign = e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0) ? 1.0 : -1.0;
+  std::vector<double> height;
+  for (const Vec3& p : points) height.push_back(sign * (p - plane.centre).dot(plane.normal));
+  std::sort(height.begin(), height.end());
+  plane.reach = height[height.size() * 9 / 10];
+  return plane;
+}
+
+double median_of(std::vector<double> v) {
+  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
+double median_length(const std::vector<std::pair<double, double>>& slices) {
+  std::vector<double> lengths;
+  for (const auto& s : slices) lengths.push_back(s.second);
+  return median_of(lengths);
+}
+
+/// Length at distance 0 on the line of median slope and median offset (Theil and Sen): a slice that
+/// leaked through a hole does not count.
+double value_at_edge(const std::vector<std::pair<double, double>>& slices) {
+  std::vector<double> slopes, offsets;
+  for (std::size_t i = 0; i < slices.size(); ++i)
+    for (std::size_t j = i + 1; j < slices.size(); ++j)
+      slopes.push_back((slices[j].second - slices[i].second) / (slices[j].first - slices[i].first));
+  const double slope = slopes.empty() ? 0.0 : std::clamp(median_of(slopes), -kSteepest, kSteepest);
+  for (const auto& s : slices) offsets.push_back(s.second - slope * s.first);
+  return median_of(offsets);
+}
+
+/// The girth at the edge itself, from slices inside: a line through their lengths against their
+/// distance from the edge, so that an edge that waves does not matter.
 ObservedLength Observer::girth(const Observation& o) const {
   ObservedLength out{&o, 0, 0, false};
   const GarmentEdge* e = edge(o.edge);
   if (!e || e->covered || e->found.coverage < 0.5) return out;
-  const LimbView& view = limb(*e);
-  const int bins = view.map.columns;
-  const std::vector<Vec3> curve =
-      curve_beside_edge(samples, view.members, view.axis, view.map, e->found, e->garment_above, bins);
-  if (static_cast<int>(curve.size()) < bins / 2) return out;
-  out.value = closed_length(curve, 1);
-  const double gaps = 1.0 - static_cast<double>(curve.size()) / bins;
+  const EdgePlane plane = plane_of(*e);
+  const bool torso = e->limb == "torso";
+  std::vector<std::pair<double, double>> slices;
+  for (int k = 0; k < (torso ? 7 : 4); ++k) {
+    const double inside = plane.reach + 0.006 + 0.008 * k;
+    const double length = slice_girth(*e, plane, inside);
+    if (length > 0) slices.emplace_back(inside, length);
+  }
+  if (slices.size() < 2) return out;
+  out.value = torso ? value_at_edge(slices) : median_length(slices);
   out.standard_deviation = std::hypot(kGirthShare * out.value, kTiltError * e->found.standard_error) +
-                           kLeastDeviation + 0.1 * gaps * out.value;
+                           kLeastDeviation + 0.05 * (1 - e->found.coverage) * out.value;
+  if (!torso) out.standard_deviation += 0.02;  // the lower side of a sleeve often touches the torso
   out.seen = true;
   return out;
 }
@@ -70,12 +164,18 @@ ObservedLength Observer::girth_at_offset(const Observation& o) const {
     const double armpit = std::min(body.armpit[0] > 0 ? body.armpit[0] : 1e9,
                                    body.armpit[1] > 0 ? body.armpit[1] : 1e9);
     if (armpit > 1e8) return out;
-    const double row = view.map.row_of(armpit - 0.02 - o.offset);
-    for (int j = 0; j < view.map.columns; ++j) {
-      const int i = static_cast<int>(std::lround(row));
-      if (i < 0 || i >= view.map.rows || !view.map.has(i, j)) continue;
-      curve.push_back(view.axis.point({view.map.row_s(i), view.map.column_phi(j), view.map.radius[view.map.index(i, j)]}));
+    const double y = armpit - 0.02 - o.offset;
+    std::vector<Vec2> points;
+    const Vec3 centre = view.axis.point({y, 0, 0});
+    for (int m : view.members) {
+      const Vec3 d = samples.positions[m] - centre;
+      if (cloth[m] && std::abs(d.y()) < kHalfSlice) points.emplace_back(d.x(), d.z());
     }
+    double bridged = 0;
+    out.value = outline_length(points, Vec2::Zero(), 0.006, &bridged);
+    out.standard_deviation = (0.03 + bridged) * out.value + kLeastDeviation;
+    out.seen = out.value > 0 && bridged < 0.4;
+    return out;
   } else {
     if (e->covered) return out;
     // Along each meridian down the cloth until the offset is used up.
@@ -113,7 +213,7 @@ double Observer::centre_path(const GarmentEdge& from, const GarmentEdge& to, dou
   const Vec3 centre = view.axis.point({middle, 0, 0});
   const Vec3 out = std::cos(phi) * Vec3::UnitZ() + std::sin(phi) * Vec3::UnitX();
   const Section section =
-      cut_section(samples, view.members, centre, Vec3::UnitY(), out, 0.008, 240);
+      cut_section(samples, on_cloth(view.members), centre, Vec3::UnitY(), out, 0.008, 240);
   return section.length_between(a, b, centre + 0.2 * out);
 }
 
@@ -130,7 +230,7 @@ ObservedLength Observer::path(const Observation& o) const {
       const Vec3 shoulder = edge_point(*from, side);
       const double low = *std::min_element(to->found.s.begin(), to->found.s.end());
       const Vec3 centre(shoulder.x(), 0.5 * (shoulder.y() + low), torso.axis.point({0.5 * (shoulder.y() + low), 0, 0}).z());
-      const Section section = cut_section(samples, torso.members, centre, Vec3::UnitY(), Vec3::UnitZ(), 0.008, 240);
+      const Section section = cut_section(samples, on_cloth(torso.members), centre, Vec3::UnitY(), Vec3::UnitZ(), 0.008, 240);
       for (const double z : {1.0, -1.0}) {
         // The hem where this plane meets it, in front and behind.
         double best = 1e9;
@@ -157,7 +257,7 @@ ObservedLength Observer::path(const Observation& o) const {
     std::vector<int> members = edges.limbs.at("torso").members;
     const std::vector<int>& arm = edges.limbs.at(to->limb).members;
     members.insert(members.end(), arm.begin(), arm.end());
-    const Section section = cut_section(samples, members, centre, up, along, 0.01, 240);
+    const Section section = cut_section(samples, on_cloth(members), centre, up, along, 0.01, 240);
     ways = {section.length_between(neck, cuff, centre + 0.3 * up)};
   }
   double sum = 0, n = 0;
@@ -185,7 +285,7 @@ ObservedLength Observer::fork(const Observation& o) const {
   const Vec3 top = view.axis.point({armpit.s - 0.06, 0.0, 0.08});
   const Vec3 up = (top - bottom).normalized();
   const Vec3 across = view.axis.radial(armpit.s, 0.5 * kPi);
-  const Section section = cut_section(samples, view.members, 0.5 * (top + bottom), up, across, 0.008, 90);
+  const Section section = cut_section(samples, on_cloth(view.members), 0.5 * (top + bottom), up, across, 0.008, 90);
   std::vector<Vec3> curve;
   for (int bin = 0; bin < 90; ++bin)
     if (std::isfinite(section.r[bin])) curve.push_back(section.point(bin));
@@ -199,8 +299,9 @@ ObservedLength Observer::fork(const Observation& o) const {
 }  // namespace
 
 std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
-                                    const GarmentEdges& edges, const GarmentTemplate& garment) {
-  const Observer observer{samples, body, edges, garment};
+                                    const GarmentEdges& edges, const std::vector<std::uint8_t>& cloth,
+                                    const GarmentTemplate& garment) {
+  const Observer observer{samples, body, edges, cloth};
   std::vector<ObservedLength> out;
   for (const Observation& o : garment.observations()) {
     switch (o.kind) {

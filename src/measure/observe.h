@@ -16,10 +16,11 @@ struct ObservedLength {
   bool seen = false;              // false: the scan does not show it
 };
 
-/// Measures what the template says can be seen, on the garment between the edges found.
-/// One entry per observation of the template, in its order.
+/// Measures what the template says can be seen, on the garment between the edges found. `cloth` marks the
+/// samples on the garment, one per sample. One entry per observation of the template, in its order.
 std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
-                                    const GarmentEdges& edges, const GarmentTemplate& garment);
+                                    const GarmentEdges& edges, const std::vector<std::uint8_t>& cloth,
+                                    const GarmentTemplate& garment);
 
 /// The dimensions that explain the observed lengths best (weighted least squares by Gauss-Newton from
 /// the typical ones, within the bounds), with their standard deviations. A dimension that no seen

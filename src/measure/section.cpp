@@ -1,5 +1,6 @@
 #include "measure/section.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,0 +1,92 @@
+#include "measure/garment_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace regarment {
+namespace {
+
+constexpr double kOutside = -0.5;      // m, for points that are nowhere near the garment
+constexpr double kUnder = 0.07;        // m (deeper than folds) below the outer surface: a leg under a skirt
+constexpr double kLooseReach = 0.015;  // m from the outer surface at which a loose piece belongs to it
+
+int column_of(const LimbMap& map, double phi) {
+  constexpr double kPi = std::numbers::pi;
+  return std::clamp(static_cast<int>((phi + kPi) / (2 * kPi) * map.columns), 0, map.columns - 1);
+}
+
+/// Outermost radius near (s, phi); negative when there is no data within two rows.
+double outer_radius(const LimbMap& map, double s, double phi) {
+  const int j = column_of(map, phi);
+  const int row = static_cast<int>(std::floor((s - map.s_low) / map.step));
+  for (const int d : {0, 1, -1, 2, -2}) {
+    const int i = row + d;
+    if (i >= 0 && i < map.rows && map.has(i, j)) return map.radius[map.index(i, j)];
+  }
+  return -1;
+}
+
+}  // namespace
+
+bool GarmentRegion::on_outer_surface(const Vec3& p) const {
+  const LimbView& torso = edges_.limbs.at("torso");
+  const LimbPoint at = torso.axis.locate(p);
+  const double outer = outer_radius(torso.map, at.s, at.phi);
+  return outer > 0 && std::abs(at.r - outer) < kLooseReach;
+}
+
+double GarmentRegion::depth_on_torso(const Vec3& p) const {
+  const LimbView& torso = edges_.limbs.at("torso");
+  const LimbPoint at = torso.axis.locate(p);
+  const int column = column_of(torso.map, at.phi);
+  double depth = -kOutside;
+  for (const auto& [name, edge] : edges_.edges) {
+    if (edge.limb == "torso") {
+      const double s = edge.found.s[column];
+      depth = std::min(depth, edge.garment_above ? at.s - s : s - at.s);
+    } else if (edge.limb == "neck") {
+      const LimbView& neck = edges_.limbs.at("neck");
+      const LimbPoint ray = neck.axis.locate(p);
+      if (p.y() < neck.axis.point({0, 0, 0}).y()) continue;
+      depth = std::min(depth, ray.s - edge.found.s[column_of(neck.map, ray.phi)]);
+    }
+  }
+  if (depth <= 0) return depth;
+  const double armpit = std::max(body_.armpit[0], body_.armpit[1]);
+  if (armpit <= 0 || p.y() < armpit - 0.02) {
+    const double outer = outer_radius(torso.map, at.s, at.phi);
+    if (outer > 0 && at.r < outer - kUnder) return kOutside;
+  }
+  return depth;
+}
+
+double GarmentRegion::depth_on_arm(const Vec3& p, int side) const {
+  if (!edges_.upper_body) return kOutside;
+  const char* limb = side == 0 ? "left_arm" : "right_arm";
+  const auto view = edges_.limbs.find(limb);
+  if (view == edges_.limbs.end()) return kOutside;
+  const LimbPoint at = view->second.axis.locate(p);
+  for (const auto& [name, edge] : edges_.edges)
+    if (edge.limb == limb) return edge.found.s[column_of(view->second.map, at.phi)] - at.s;
+  // This sleeve's edge is not seen: as far along the arm as the other one.
+  for (const auto& [name, edge] : edges_.edges) {
+    if (edge.limb != "left_arm" && edge.limb != "right_arm") continue;
+    double mean = 0;
+    for (double s : edge.found.s) mean += s / static_cast<double>(edge.found.s.size());
+    return mean - at.s;
+  }
+  return kOutside;
+}
+
+double GarmentRegion::depth(const Vec3& p, BodyPart part) const {
+  switch (part) {
+    case BodyPart::LeftArm: return depth_on_arm(p, 0);
+    case BodyPart::RightArm: return depth_on_arm(p, 1);
+    case BodyPart::Trunk: return depth_on_torso(p);
+    case BodyPart::Loose: return on_outer_surface(p) ? depth_on_torso(p) : kOutside;
+  }
+  return kOutside;
+}
+
+}  // namespace regarment
