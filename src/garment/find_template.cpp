@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "garment/builtin_templates.h"
 
 namespace regarment {
@@ -61,7 +62,7 @@ std::string known_names() {
 GarmentTemplate find_template(const std::string& name_or_path) {
   if (name_or_path.ends_with(".json")) return GarmentTemplate::load(name_or_path);
   if (!is_name(name_or_path))
-    throw UsageError("'" + name_or_path.substr(0, 60) +
+    throw UsageError("'" + one_line(name_or_path, 60) +
                      "' is neither the name of a garment template (" + known_names() +
                      ") nor a path ending in .json");
   for (const fs::path& folder : folders()) {

@@ -4,6 +4,7 @@
 #include <iomanip>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "garment/template_check.h"
 #include "garment/template_data.h"
 #include "garment/template_reader.h"
@@ -30,7 +31,7 @@ std::string bounds_text(const Dimension& dimension) {
 }  // namespace
 
 GarmentTemplate GarmentTemplate::load(const std::filesystem::path& file) {
-  const std::string name = file.string();
+  const std::string name = one_line(file.string());
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw ReadError(name + ": no such template file");
@@ -39,7 +40,7 @@ GarmentTemplate GarmentTemplate::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf())) throw ReadError(name + ": cannot be read");
-  return parse(text.str(), file.filename().string());
+  return parse(text.str(), one_line(file.filename().string()));
 }
 
 GarmentTemplate GarmentTemplate::parse(const std::string& json,
@@ -79,7 +80,7 @@ void GarmentTemplate::check(const Dimensions& dimensions) const {
   for (const auto& [name, value] : dimensions) {
     const bool known = std::any_of(data_->dimensions.begin(), data_->dimensions.end(),
                                    [&n = name](const Dimension& d) { return d.name == n; });
-    if (!known) throw UsageError(data_->name + " has no dimension '" + name + "'");
+    if (!known) throw UsageError(data_->name + " has no dimension '" + one_line(name, 60) + "'");
   }
   for (const Dimension& dimension : data_->dimensions) {
     const auto given = dimensions.find(dimension.name);

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/one_line.h"
 
 namespace regarment {
 
@@ -12,17 +13,7 @@ constexpr std::size_t kMaxBytes = 256 * 1024;
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxEcho = 60;  // longest piece of a file repeated in a message
 
-std::string echo(const std::string& text) {
-  std::size_t end = std::min(text.size(), kMaxEcho);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-    --end;  // not in the middle of a UTF-8 character
-  std::string shown;
-  for (const char c : text.substr(0, end)) {
-    const bool control = static_cast<unsigned char>(c) < 32 || c == 127;
-    shown += control ? '?' : c;
-  }
-  return text.size() > kMaxEcho ? shown + "..." : shown;
-}
+std::string echo(const std::string& text) { return one_line(text, kMaxEcho); }
 
 }  // namespace
 

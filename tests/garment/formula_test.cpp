@@ -92,12 +92,9 @@ TEST(Formula, RefusesWhatCannotBeRead) {
 
 TEST(Formula, RefusesWhatHasNoValue) {
   const Wrong table[] = {
-      {"1 / zero", "division by zero"},
-      {"sqrt(b_2)", "square root of the negative number"},
-      {"pow(b_2, 0.5)", "not a finite number"},
-      {"pow(10, 400)", "not a finite number"},
-      {"1e300 * 1e300", "not a finite number"},
-      {"c", "no name 'c'"},
+      {"1 / zero", "division by zero"},         {"sqrt(b_2)", "square root of the negative number"},
+      {"pow(b_2, 0.5)", "not a finite number"}, {"pow(10, 400)", "not a finite number"},
+      {"1e300 * 1e300", "not a finite number"}, {"c", "no name 'c'"},
   };
   for (const Wrong& row : table) {
     const Formula formula = Formula::parse(row.text);
