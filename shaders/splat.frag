@@ -1,4 +1,5 @@
 #version 450 core
+in vec2 offset;
 flat in vec3 view_normal;
 flat in uint point_id;
 uniform float radius_in_depth;  // the disc's radius in units of the depth buffer
@@ -6,7 +7,6 @@ layout(location = 0) out uint id;      // 1 + point; 0 is the background
 layout(location = 1) out vec2 normal;  // x, y of the unit normal; z = sqrt(1 - x^2 - y^2) >= 0
 
 void main() {
-  vec2 offset = 2.0 * gl_PointCoord - 1.0;  // in radii; up is positive, as rows run downwards
   // Discs seen nearly edge-on would vanish; they keep a fifth of their width.
   float rise = -dot(view_normal.xy, offset) / max(view_normal.z, 0.2);
   float squared = dot(offset, offset) + rise * rise;

@@ -5,6 +5,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/shader.h"
+#include "render/visible_points.h"
 
 namespace regarment {
 namespace {
@@ -109,11 +110,18 @@ void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& e
                GL_STATIC_DRAW);
 }
 
-void bind_attribute(GLuint attribute, const GlBuffer& buffer) {
+void bind_floats(GLuint attribute, const GlBuffer& buffer, std::size_t stride, std::size_t offset) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-  glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
+  glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, GLsizei(stride),
+                        reinterpret_cast<const void*>(offset));
   glEnableVertexAttribArray(attribute);
 }
+
+// One of the three corners of the triangle round a disc.
+struct DiscCorner {
+  Eigen::Vector3f position, normal;
+  std::uint32_t point;
+};
 
 }  // namespace
 
@@ -122,60 +130,86 @@ struct GeometryPass::State {
   Shader mesh_shader{"mesh"};
   Shader splat_shader{"splat"};
   Target target;
-  GlBuffer positions, normals, indices;
-  GlVertexArray array;
-  std::vector<Eigen::Vector3f> points;  // of the loaded mesh, relative to `origin`
+  GlBuffer positions, normals, indices, corners;
+  GlVertexArray mesh_array, splat_array;
+  DisplayMesh mesh;  // loaded
   Vec3 origin = Vec3::Zero();
-  double spacing = 0.0;     // m, of a loaded cloud
-  GLsizei index_count = 0;  // 0: a cloud
+
+  void draw_mesh(const Camera& camera) const;
+  void draw_discs(const Camera& camera, double radius) const;
 };
+
+void GeometryPass::State::draw_mesh(const Camera& camera) const {
+  mesh_shader.use();
+  mesh_shader.set("clip_from_body", clip_from_body(camera, origin));
+  mesh_shader.set("view_from_body", Eigen::Matrix3f(camera.view_from_body.cast<float>()));
+  glBindVertexArray(mesh_array.name());
+  glDrawElements(GL_TRIANGLES, GLsizei(3 * mesh.triangles.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+void GeometryPass::State::draw_discs(const Camera& camera, double radius) const {
+  const double hidden_behind = 6.0 * mesh.spacing;  // m, more than neighbouring discs are apart
+  std::vector<DiscCorner> all;
+  for (const std::uint32_t i :
+       visible_points(mesh.positions, origin, camera, 2.0 * radius, hidden_behind)) {
+    all.insert(all.end(), 3, {mesh.positions[i], mesh.normals[i], i});
+  }
+  splat_shader.use();
+  splat_shader.set("clip_from_body", clip_from_body(camera, origin));
+  splat_shader.set("view_from_body", Eigen::Matrix3f(camera.view_from_body.cast<float>()));
+  splat_shader.set("radius", Eigen::Vector2f(Eigen::Vector2d(2.0 * radius / camera.width,
+                                                             -2.0 * radius / camera.height)
+                                                 .cast<float>()));
+  splat_shader.set("radius_in_depth",
+                   float(0.5 * radius / (camera.pixels_per_metre * camera.depth_range)));
+  glBindVertexArray(splat_array.name());
+  upload(GL_ARRAY_BUFFER, corners, all);
+  glDrawArrays(GL_TRIANGLES, 0, GLsizei(all.size()));
+}
 
 GeometryPass::GeometryPass() : state_(std::make_unique<State>()) {
   const State& s = *state_;
-  glBindVertexArray(s.array.name());
-  bind_attribute(0, s.positions);
-  bind_attribute(1, s.normals);
+  glBindVertexArray(s.mesh_array.name());
+  bind_floats(0, s.positions, sizeof(Eigen::Vector3f), 0);
+  bind_floats(1, s.normals, sizeof(Eigen::Vector3f), 0);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices.name());
+  glBindVertexArray(s.splat_array.name());
+  bind_floats(0, s.corners, sizeof(DiscCorner), offsetof(DiscCorner, position));
+  bind_floats(1, s.corners, sizeof(DiscCorner), offsetof(DiscCorner, normal));
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(DiscCorner),
+                         reinterpret_cast<const void*>(offsetof(DiscCorner, point)));
+  glEnableVertexAttribArray(2);
 }
 
 GeometryPass::~GeometryPass() = default;
 
-void GeometryPass::load(const DisplayMesh& mesh, const Vec3& origin) {
+void GeometryPass::load(DisplayMesh mesh, const Vec3& origin) {
   State& s = *state_;
-  glBindVertexArray(s.array.name());
-  upload(GL_ARRAY_BUFFER, s.positions, mesh.positions);
-  upload(GL_ARRAY_BUFFER, s.normals, mesh.normals);
-  upload(GL_ELEMENT_ARRAY_BUFFER, s.indices, mesh.triangles);
-  s.points = mesh.positions;
+  s.mesh = std::move(mesh);
   s.origin = origin;
-  s.spacing = mesh.spacing;
-  s.index_count = GLsizei(3 * mesh.triangles.size());
+  if (s.mesh.is_cloud()) return;
+  glBindVertexArray(s.mesh_array.name());
+  upload(GL_ARRAY_BUFFER, s.positions, s.mesh.positions);
+  upload(GL_ARRAY_BUFFER, s.normals, s.mesh.normals);
+  upload(GL_ELEMENT_ARRAY_BUFFER, s.indices, s.mesh.triangles);
 }
 
 GeometryBuffers GeometryPass::draw(const Camera& camera) {
   State& s = *state_;
-  const bool cloud = s.index_count == 0;
+  const bool cloud = s.mesh.is_cloud();
   // A disc is at least two pixels wide, or points between pixel centres would be lost.
-  const double radius = std::max(kDiscRadius * s.spacing * camera.pixels_per_metre, 1.0);
-  const PixelRectangle area = covered_pixels(s.points, s.origin, camera, cloud ? radius : 0.0);
+  const double radius = std::max(kDiscRadius * s.mesh.spacing * camera.pixels_per_metre, 1.0);
+  const PixelRectangle area =
+      covered_pixels(s.mesh.positions, s.origin, camera, cloud ? radius : 0.0);
   if (area.empty()) return {};
   s.target.reserve(area.width(), area.height());
   Target::clear(area);
   glViewport(-area.left, -area.top, camera.width, camera.height);
   glEnable(GL_DEPTH_TEST);
-  glBindVertexArray(s.array.name());
-  const Shader& shader = cloud ? s.splat_shader : s.mesh_shader;
-  shader.use();
-  shader.set("clip_from_body", clip_from_body(camera, s.origin));
-  shader.set("view_from_body", Eigen::Matrix3f(camera.view_from_body.cast<float>()));
   if (cloud) {
-    shader.set("diameter", float(2.0 * radius));
-    shader.set("radius_in_depth",
-               float(0.5 * radius / (camera.pixels_per_metre * camera.depth_range)));
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    glDrawArrays(GL_POINTS, 0, GLsizei(s.points.size()));
+    s.draw_discs(camera, radius);
   } else {
-    glDrawElements(GL_TRIANGLES, s.index_count, GL_UNSIGNED_INT, nullptr);
+    s.draw_mesh(camera);
   }
   GeometryBuffers buffers = Target::read(area, camera.depth_range);
   s.context.check("the geometry pass");

@@ -32,7 +32,7 @@ class GeometryPass {
   GeometryPass& operator=(const GeometryPass&) = delete;
 
   /// Uploads the mesh that the next draws show. Positions are relative to `origin` (body frame, m).
-  void load(const DisplayMesh& mesh, const Vec3& origin);
+  void load(DisplayMesh mesh, const Vec3& origin);
 
   /// One pass. Parts of the mesh outside the picture are cut off. Nothing in sight: empty buffers.
   GeometryBuffers draw(const Camera& camera);

@@ -100,6 +100,10 @@ void Shader::set(const char* uniform, const Eigen::Matrix3f& value) const {
   glProgramUniformMatrix3fv(program_, location(uniform), 1, GL_FALSE, value.data());
 }
 
+void Shader::set(const char* uniform, const Eigen::Vector2f& value) const {
+  glProgramUniform2fv(program_, location(uniform), 1, value.data());
+}
+
 void Shader::set(const char* uniform, float value) const {
   glProgramUniform1f(program_, location(uniform), value);
 }

@@ -23,6 +23,7 @@ class Shader {
   /// Sets a uniform. Throws InvalidInput naming a uniform the pair does not have.
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
   void set(const char* uniform, const Eigen::Matrix3f& value) const;
+  void set(const char* uniform, const Eigen::Vector2f& value) const;
   void set(const char* uniform, float value) const;
 
  private:
