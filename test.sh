@@ -32,30 +32,35 @@ check() {
   fi
 }
 
-# build PRESET: false, and one failure, when it does not build.
+# build PRESET [TARGETS]: false, and one failure, when it does not build.
 build() {
   headline "build $1"
-  if cmake --preset "$1" >"build-$1.log" 2>&1; then
-    rm -f "build-$1.log"
-    cmake --build --preset "$1" && return 0
+  local preset=$1 log="build-$1.log" target=()
+  shift
+  [ $# = 0 ] || target=(--target "$@")
+  if cmake --preset "$preset" >"$log" 2>&1; then
+    rm -f "$log"
+    cmake --build --preset "$preset" "${target[@]}" && return 0
   else
-    cat "build-$1.log"
-    rm -f "build-$1.log"
+    cat "$log"
+    rm -f "$log"
   fi
   failed=$((failed + 1))
-  echo "FAILED: build $1"
+  echo "FAILED: build $preset"
   return 1
 }
 
 attribute() { sed -n "s/.*<testsuite .*[[:space:]]$2=\"\([0-9]*\)\".*/\1/p; s/^[[:space:]]*$2=\"\([0-9]*\)\".*/\1/p" "$1" | head -1; }
 
-# run_tests PRESET: adds what CTest counted.
+# run_tests PRESET [CTEST OPTIONS]: adds what CTest counted. A skipped test is not a passed one.
 run_tests() {
-  headline "test $1"
-  local summary="$PWD/build/$1/tests.xml"
+  local preset=$1
+  shift
+  headline "test $preset"
+  local summary="$PWD/build/$preset/tests.xml"
   rm -f "$summary"
-  ctest --preset "$1" -j "$jobs" --output-junit "$summary" --output-on-failure --progress </dev/null |
-    grep -v -E '^\s*[0-9]+/[0-9]+ Test .*(Passed|Skipped)' || true
+  ctest --test-dir "build/$preset" -j "$jobs" --output-junit "$summary" --output-on-failure "$@" \
+    </dev/null | grep -v -E '^ *([0-9]+/[0-9]+ Test .* Passed|Start +[0-9]+:)'
   if [ ! -s "$summary" ]; then
     failed=$((failed + 1))
     return
@@ -64,7 +69,7 @@ run_tests() {
   tests=$(attribute "$summary" tests)
   bad=$(attribute "$summary" failures)
   skipped=$(attribute "$summary" skipped)
-  echo "$1: $tests tests, $bad failed, $skipped skipped"
+  echo "$preset: $tests tests, $bad failed, $skipped skipped"
   passed=$((passed + tests - bad - skipped))
   failed=$((failed + bad))
 }
@@ -94,18 +99,18 @@ tidy_is_clean() {
     xargs -n 1 -P "$jobs" clang-tidy-14 -p build/tidy --quiet --warnings-as-errors='*' 2>/dev/null
 }
 
-fuzz() {
-  local seconds=30 target name
-  [ "$full" = yes ] && seconds=600
-  for target in build/fuzz/*_fuzz; do
-    [ -x "$target" ] || continue
-    name=$(basename "$target")
-    mkdir -p "build/fuzz/corpus/$name"
-    local seeds=()
-    [ -d "tests/fuzz/corpus/$name" ] && seeds=("tests/fuzz/corpus/$name")
-    check "$name, $seconds s" "$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
-      -verbosity=0 -print_final_stats=0 -artifact_prefix="build/fuzz/" \
-      "build/fuzz/corpus/$name" "${seeds[@]}"
+# The targets tests/fuzz declares; only these are compiled with the fuzzer.
+fuzz_targets() {
+  cmake --preset fuzz >/dev/null && ninja -C build/fuzz -t targets all |
+    sed -n 's/^\(fuzz_[a-z_]*\): .*EXECUTABLE.*/\1/p; s/^\(fuzz_[a-z_]*\): phony$/\1/p' | sort -u
+}
+
+# fuzz_long TARGETS: ten minutes each, beyond the half minute CTest gives them.
+fuzz_long() {
+  local target
+  for target in "$@"; do
+    check "$target, 600 s" "build/fuzz/$target" -max_total_time=600 -timeout=10 \
+      -rss_limit_mb=1024 -verbosity=0 "-artifact_prefix=build/fuzz/" "build/fuzz/corpus/$target"
   done
 }
 
@@ -114,8 +119,9 @@ scripts/install_packages.sh build test || exit 1
 build release && run_tests release
 build asan && run_tests asan
 [ "$full" = no ] || { build tsan && run_tests tsan; }
-headline "fuzz"
-build fuzz && fuzz
+mapfile -t fuzzers < <(fuzz_targets)
+build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
+[ "$full" = no ] || fuzz_long "${fuzzers[@]}"
 headline "form"
 check "clang-format" format_is_right
 check "clang-tidy" tidy_is_clean
