@@ -20,12 +20,14 @@ struct ScanOptions {
 /// outliers, estimates noise, and gives every vertex an outward unit normal.
 ///
 /// What is found does not depend on the order of vertices, nor on how the file's frame is turned by
-/// quarter turns, turned about the vertical, shifted, or scaled to another unit. A person may stand,
-/// walk or stretch their arms; feet or head may be missing (then `facts.warnings` says so). A mirrored
-/// file stays mirrored. Where `options.up` or `options.front` is given that axis is taken exactly.
+/// quarter turns, turned about the vertical, shifted, or scaled to another unit. A person may
+/// stand, walk or stretch their arms; feet or head may be missing (then `facts.warnings` says so).
+/// A mirrored file stays mirrored. Where `options.up` or `options.front` is given that axis is
+/// taken exactly.
 ///
 /// `facts.file` and `facts.sha256` stay empty: the caller knows the file. Vertices with a
-/// non-finite coordinate are moved to the origin of the body frame, marked as outliers and said in a warning.
+/// non-finite coordinate are moved to the origin of the body frame, marked as outliers and said in
+/// a warning.
 ///
 /// Throws UsageError for options that contradict themselves, and NoPersonError with a reason and
 /// advice when the shape is no person or its unit cannot be told.

@@ -1,0 +1,44 @@
+#include "geometry/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace regarment {
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& work) {
+  grain = std::max<std::size_t>(grain, 1);
+  const std::size_t parts = (count + grain - 1) / grain;
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto run = [&] {
+    try {
+      for (std::size_t part = next++; part < parts; part = next++) {
+        work(part * grain, std::min(count, (part + 1) * grain));
+      }
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+      next = parts;
+    }
+  };
+  const std::size_t wanted =
+      std::min<std::size_t>({std::thread::hardware_concurrency(), parts, 16});
+  std::vector<std::jthread> helpers;
+  try {
+    for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(run);
+  } catch (const std::system_error&) {
+    // No more threads to be had: the ones there are do the work.
+  }
+  run();
+  helpers.clear();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace regarment

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace regarment {
+
+/// Calls `work(begin, end)` on parts of 0..count, on as many threads as the machine has. The parts
+/// have `grain` items each, whatever the number of threads, so work that writes only to its own
+/// items gives the same result everywhere. `work` runs on several threads at once. An exception of
+/// any part is thrown again in the caller, after all threads have ended.
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& work);
+
+}  // namespace regarment

@@ -1,0 +1,175 @@
+#include "scan/finish_surface.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "geometry/parallel.h"
+#include "geometry/point_tree.h"
+#include "scan/cloud_normals.h"
+#include "scan/local_surface.h"
+#include "scan/mesh_normals.h"
+
+namespace regarment {
+namespace {
+
+constexpr std::size_t kMostPoints = 500'000;  // looked at one by one; of larger clouds a part
+constexpr std::size_t kPlaces = 2000;         // where noise is measured
+constexpr double kLonely = 4.0;               // times the usual gap: a point on no surface
+constexpr double kMeshPixel = 1.3;            // of the sample's spacing
+
+/// The points a large cloud is judged by: chosen by where they are, not by their order.
+struct Chosen {
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> index;  // in the full list
+  double share = 1.0;                // of all
+};
+
+std::uint64_t scramble(const Vec3& p) {
+  std::uint64_t h = 0x2545f4914f6cdd1du;
+  for (int axis = 0; axis < 3; ++axis) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[axis])) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+Chosen choose(std::span<const Vec3> points) {
+  const std::size_t step = points.size() / kMostPoints + 1;
+  Chosen chosen;
+  chosen.points.reserve(points.size() / step + 1);
+  chosen.index.reserve(points.size() / step + 1);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (step > 1 && scramble(points[i]) % step != 0) continue;
+    chosen.points.push_back(points[i]);
+    chosen.index.push_back(i);
+  }
+  chosen.share = static_cast<double>(chosen.points.size()) / static_cast<double>(points.size());
+  return chosen;
+}
+
+std::vector<Vec3> places_of(const std::vector<Vec3>& sample) {
+  std::vector<Vec3> places;
+  const std::size_t step = std::max<std::size_t>(1, sample.size() / kPlaces);
+  for (std::size_t i = 0; i < sample.size(); i += step) places.push_back(sample[i]);
+  return places;
+}
+
+void measure_sampling(const Chosen& chosen, const PointTree& tree, const RawSurface& raw,
+                      ScanFacts& facts) {
+  const auto quality = sampling_quality(chosen.points, tree, places_of(raw.sample));
+  facts.spacing = quality.spacing * std::sqrt(chosen.share);
+  facts.noise = quality.noise;
+}
+
+/// Points whose neighbours are far, seen both over the whole cloud and from where those neighbours
+/// are.
+std::vector<std::uint8_t> lonely(const LocalSurface& surface) {
+  std::vector<float> gaps = surface.gap;
+  std::nth_element(gaps.begin(), gaps.begin() + std::ssize(gaps) / 2, gaps.end());
+  const double usual = static_cast<double>(gaps[gaps.size() / 2]);
+  std::vector<std::uint8_t> flags(surface.gap.size(), 0);
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const double gap = static_cast<double>(surface.gap[i]);
+    if (gap <= kLonely * usual) continue;
+    std::array<float, LocalSurface::kKept> near{};
+    for (std::size_t n = 0; n < near.size(); ++n) near[n] = surface.gap[surface.nearest[i][n]];
+    std::nth_element(near.begin(), near.begin() + near.size() / 2, near.end());
+    const bool sparse_all_round = gap < 1.5 * static_cast<double>(near[near.size() / 2]);
+    flags[i] = sparse_all_round ? 0 : 1;
+  }
+  return flags;
+}
+
+/// The file's normals by welded position: those of the first vertex there.
+std::vector<Vec3> given_normals(const RawSurface& raw, const Mesh& mesh) {
+  if (mesh.normals.empty()) return {};
+  std::vector<Vec3> given(raw.positions.size(), Vec3::Zero());
+  for (std::size_t v = mesh.positions.size(); v-- > 0;) {
+    const std::uint32_t at = raw.welded.of_vertex[v];
+    if (at == Welded::kNone || !mesh.normals[v].allFinite()) continue;
+    given[at] = mesh.normals[v].stableNormalized();
+  }
+  return given;
+}
+
+/// Result per welded position.
+struct Finished {
+  std::vector<Vec3> normals;
+  std::vector<std::uint8_t> outlier;
+};
+
+Finished finish_cloud(const RawSurface& raw, Scan& scan) {
+  const Chosen chosen = choose(raw.positions);
+  const PointTree tree(chosen.points);
+  measure_sampling(chosen, tree, raw, scan.facts);
+  LocalSurface surface = local_surface(chosen.points, tree);
+  orient_outward(chosen.points, scan.facts.spacing / std::sqrt(chosen.share), surface);
+  const std::vector<std::uint8_t> flags = lonely(surface);
+  Finished finished{std::vector<Vec3>(raw.positions.size()), raw.stray};
+  parallel_for(raw.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      PointNeighbour hit;
+      hit.index = static_cast<std::uint32_t>(i);
+      if (chosen.share < 1) tree.nearest(raw.positions[i], {&hit, 1});
+      finished.normals[i] = surface.normals[hit.index];
+      if (hit.squared_distance == 0.0) finished.outlier[i] |= flags[hit.index];
+    }
+  });
+  switch (prefer_given(given_normals(raw, scan.mesh), finished.normals)) {
+    case GivenNormals::Flipped:
+      scan.facts.warnings.emplace_back("the file's normals point inward: they were turned");
+      break;
+    case GivenNormals::Replaced:
+      scan.facts.warnings.emplace_back(
+          "the file's normals do not fit its points: they were estimated again");
+      break;
+    default:
+      break;
+  }
+  return finished;
+}
+
+Finished finish_mesh(const RawSurface& raw, Scan& scan) {
+  std::vector<std::uint32_t> source;
+  std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, raw.welded, &source);
+  const MeshEdges edges = find_edges(triangles, raw.positions.size());
+  scan.facts.holes = count_holes(edges, raw.positions.size());
+  const Winding winding =
+      outward_winding(raw.positions, triangles, edges, raw.sample, kMeshPixel * raw.sample_spacing);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (winding.turn[t] == 0) continue;
+    std::swap(triangles[t][1], triangles[t][2]);
+    std::swap(scan.mesh.triangles[source[t]][1], scan.mesh.triangles[source[t]][2]);
+  }
+  if (2 * winding.turned > triangles.size()) {
+    scan.facts.warnings.emplace_back("the file's triangles face inward: they were turned");
+  } else if (winding.turned > 0) {
+    scan.facts.warnings.push_back(std::to_string(winding.turned) +
+                                  " triangles face the other way than the rest: they were turned");
+  }
+  const Chosen chosen = choose(raw.positions);
+  measure_sampling(chosen, PointTree(chosen.points), raw, scan.facts);
+  return {mesh_normals(raw.positions, triangles), raw.stray};
+}
+
+}  // namespace
+
+void finish_surface(const RawSurface& raw, Scan& scan) {
+  const Finished finished = scan.mesh.is_cloud() ? finish_cloud(raw, scan) : finish_mesh(raw, scan);
+  const std::size_t vertices = scan.mesh.positions.size();
+  scan.mesh.normals.assign(vertices, Vec3::UnitY());
+  scan.outlier.assign(vertices, 1);
+  scan.facts.outliers = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const std::uint32_t at = raw.welded.of_vertex[v];
+    if (at != Welded::kNone) {
+      scan.mesh.normals[v] = finished.normals[at];
+      scan.outlier[v] = finished.outlier[at];
+    }
+    scan.facts.outliers += scan.outlier[v];
+  }
+}
+
+}  // namespace regarment
