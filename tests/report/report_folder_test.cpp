@@ -1,0 +1,152 @@
+#include "report/report_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "analyses.h"
+#include "base/error.h"
+#include "geometry/mesh_io.h"
+#include "report/files.h"
+#include "support/folders.h"
+
+namespace regarment {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportFolder : public testing::Test {
+ protected:
+  ReportFolder() { options_.timing = false; }
+
+  ReportFiles files() const { return report_files(analysis_, {skirt_}, options_, Pictures{}); }
+
+  GarmentTemplate skirt_ = find_template("skirt");
+  Analysis analysis_ = column_analysis(skirt_);
+  ReportOptions options_;
+};
+
+Mesh read_ply(const std::string& bytes) {
+  return parse_mesh(std::as_bytes(std::span(bytes)), MeshFormat::Ply, "made.ply");
+}
+
+TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
+  const ReportFiles made = files();
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : made) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"garment-1.ply", "labels.u8", "measurements.csv",
+                                             "pattern-1.json", "pattern-1.svg", "report.html",
+                                             "result.json", "segmented.ply"}));
+}
+
+TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {
+  const std::string labels = files().at("labels.u8");
+  ASSERT_EQ(labels.size(), analysis_.labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(labels[i], i % 3 == 0 ? 1 : 0);
+}
+
+// By hand: body (x, y, z) is file (1000 x + 100, -1000 z + 200, 1000 y + 300).
+TEST_F(ReportFolder, GarmentsStandInTheFilesOwnFrame) {
+  const Mesh mesh = read_ply(files().at("garment-1.ply"));
+  const auto& draped = analysis_.garments[0].draped;
+  ASSERT_EQ(mesh.positions.size(), draped.size());
+  EXPECT_EQ(mesh.triangles, analysis_.garments[0].pattern.triangles);
+  for (std::size_t i = 0; i < draped.size(); ++i) {
+    const Vec3 expected(1000.0 * draped[i].x() + 100.0, -1000.0 * draped[i].z() + 200.0,
+                        1000.0 * draped[i].y() + 300.0);
+    // 1e-3 mm: the file holds floats of about 1,000 mm.
+    EXPECT_LT((mesh.positions[i] - expected).norm(), 1e-3);
+  }
+}
+
+TEST_F(ReportFolder, TheSegmentedScanKeepsVerticesAndTriangles) {
+  const Mesh mesh = read_ply(files().at("segmented.ply"));
+  EXPECT_EQ(mesh.triangles, analysis_.scan.mesh.triangles);
+  ASSERT_EQ(mesh.positions.size(), analysis_.scan.mesh.positions.size());
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  EXPECT_NE(mesh.colours[0], mesh.colours[1]);
+  EXPECT_EQ(mesh.colours[1], mesh.colours[2]);
+}
+
+TEST_F(ReportFolder, ACloudStaysACloud) {
+  analysis_.scan.mesh.triangles.clear();
+  analysis_.cap.clear();
+  EXPECT_TRUE(read_ply(files().at("segmented.ply")).is_cloud());
+}
+
+TEST_F(ReportFolder, WithoutTimingNothingTellsOfTheRun) {
+  const ReportFiles made = files();
+  analysis_.times = {{"measure", 7.5}};
+  options_.threads = 9;
+  options_.scan_path = "/somewhere/else/column.ply";
+  EXPECT_EQ(files(), made);
+  options_.timing = true;
+  EXPECT_NE(files(), made);
+}
+
+TEST_F(ReportFolder, AFileNameCannotLeaveItsPlaceInAnyFile) {
+  analysis_.scan.facts.file = "<script>alert(1)</script>\n\xff.ply";
+  for (const auto& [name, bytes] : files()) {
+    if (!name.ends_with(".html")) continue;
+    EXPECT_EQ(bytes.find("<script"), std::string::npos);
+    EXPECT_NE(bytes.find("&lt;script&gt;alert(1)&lt;/script&gt;\\x0a\\xff.ply"), std::string::npos);
+  }
+}
+
+TEST_F(ReportFolder, ContradictionsAreOurOwnMistake) {
+  analysis_.labels.pop_back();
+  EXPECT_THROW(files(), InvalidInput);
+  analysis_.labels.push_back(2);
+  EXPECT_THROW(files(), InvalidInput);
+  analysis_ = column_analysis(skirt_);
+  analysis_.garments[0].measurements[0].flat = std::nan("");
+  EXPECT_THROW(files(), InvalidInput);
+}
+
+TEST_F(ReportFolder, DrawnTwiceItHasTheSameBytesWhateverTheThreads) {
+  const Pictures one = draw_pictures(analysis_, 1, {});
+  const Pictures two = draw_pictures(analysis_, 2, {});
+  EXPECT_EQ(one.bytes, two.bytes);
+  EXPECT_EQ(one.figures.size(), 16u);
+  const std::size_t total =
+      std::accumulate(one.bytes.begin(), one.bytes.end(), std::size_t{0},
+                      [](std::size_t sum, const auto& file) { return sum + file.second.size(); });
+  EXPECT_LT(total, 900u * 1024u);
+}
+
+TEST_F(ReportFolder, TheReportIsMadeAgainFromWhatIsStored) {
+  const TemporaryFolder home;
+  const fs::path place = home.path() / "out";
+  options_.timing = true;
+  options_.options = {{"units", "mm"}};
+  write_report_folder(analysis_, {skirt_}, options_, place, false, {});
+  const std::string page = read_file(place / "report.html", 64u << 20);
+  fs::remove(place / "report.html");
+  EXPECT_EQ(remake_report(place), place / "report.html");
+  EXPECT_EQ(read_file(place / "report.html", 64u << 20), page);
+  EXPECT_EQ(remake_report(place), place / "report.html");
+}
+
+TEST_F(ReportFolder, AStoredResultThatIsNotOursIsRefused) {
+  const TemporaryFolder home;
+  EXPECT_THROW(remake_report(home.path()), ReadError);
+  write_file(home.path() / "result.json", "{}");
+  EXPECT_THROW(remake_report(home.path()), ReadError);
+  EXPECT_EQ(names_in(home.path()), std::vector<std::string>{"result.json"});
+}
+
+TEST_F(ReportFolder, StoppingLeavesNothing) {
+  const TemporaryFolder home;
+  for (const std::string stop_at : {"draw", "write"}) {
+    const Progress progress([&](std::string_view stage, double fraction) {
+      return stage != stop_at || fraction < 0.5;
+    });
+    EXPECT_THROW(
+        write_report_folder(analysis_, {skirt_}, options_, home.path() / "out", false, progress),
+        Stopped);
+    EXPECT_EQ(names_in(home.path()), std::vector<std::string>{});
+  }
+}
+
+}  // namespace
+}  // namespace regarment
