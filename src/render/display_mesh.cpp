@@ -14,7 +14,7 @@ constexpr double kPointsPerCluster = 2.5;
 
 struct Source {
   const Mesh& mesh;
-  std::span<const std::uint8_t> outlier;
+  std::span<const std::uint8_t> labels, outlier;
   Box box;  // of what is shown
 
   bool shown(std::uint32_t vertex) const { return outlier.empty() || outlier[vertex] == 0; }
@@ -22,8 +22,9 @@ struct Source {
   double diagonal() const { return (box.high - box.low).norm(); }
 };
 
-Source look_at(const Mesh& mesh, std::span<const std::uint8_t> outlier) {
-  Source source{mesh, outlier, {}};
+Source look_at(const Mesh& mesh, std::span<const std::uint8_t> labels,
+               std::span<const std::uint8_t> outlier) {
+  Source source{mesh, labels, outlier, {}};
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!source.shown(std::uint32_t(i))) continue;
     check_drawable(mesh.positions[i], i);
@@ -51,8 +52,8 @@ VertexClusters cluster_to(const Source& source, std::span<const Vec3> normals, d
   const double diagonal = source.diagonal();
   VertexClusters clusters;
   const auto count_at = [&](double size) {
-    clusters =
-        cluster_vertices(source.mesh.positions, normals, source.outlier, source.box.low, size);
+    clusters = cluster_vertices(source.mesh.positions, normals, source.labels, source.outlier,
+                                source.box.low, size);
     return double(shown_elements(source, clusters));
   };
   cell = std::min(diagonal / 200.0, largest_cell);
@@ -164,9 +165,10 @@ DisplayMesh thin_cloud(const Source& source, const Vec3& origin, std::size_t max
 
 }  // namespace
 
-DisplayMesh make_display_mesh(const Mesh& mesh, std::span<const std::uint8_t> outlier,
-                              const Vec3& origin, std::size_t max_elements) {
-  const Source source = look_at(mesh, outlier);
+DisplayMesh make_display_mesh(const Mesh& mesh, std::span<const std::uint8_t> labels,
+                              std::span<const std::uint8_t> outlier, const Vec3& origin,
+                              std::size_t max_elements) {
+  const Source source = look_at(mesh, labels, outlier);
   if (source.box.empty() || !(source.diagonal() > 0.0)) return {};
   return mesh.is_cloud() ? thin_cloud(source, origin, max_elements)
                          : thin_mesh(source, origin, max_elements);

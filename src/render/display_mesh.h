@@ -23,16 +23,19 @@ struct DisplayMesh {
 };
 
 /// Makes the display mesh of a scan. A mesh of more than `max_elements` triangles, and every cloud,
-/// is thinned by clustering its vertices on a uniform grid (sides of a thin sheet stay apart by the
-/// direction of their normals); a cluster stands at the mean of its vertices and shows the
-/// attributes of the vertex nearest to it. A cloud has at most `max_elements` points.
+/// is thinned by clustering its vertices on a uniform grid (the sides of a thin sheet stay apart by
+/// the direction of their normals, the sides of a border by their labels); a cluster stands at the
+/// mean of its vertices and shows the attributes of the vertex nearest to it. A cloud has at most
+/// `max_elements` points.
 ///
-/// Vertices with `outlier` 1 and the triangles that use them are left out; `outlier` may be empty.
+/// Vertices with `outlier` 1 and the triangles that use them are left out; `labels` and
+/// `outlier` may be empty.
 /// Normals are the mesh's own where it has them, else those of its triangles; a cloud without
 /// normals gets them from the neighbouring clusters, unoriented. Deterministic.
 /// The result is empty when nothing is left. Throws InvalidInput for a vertex that is not finite.
-DisplayMesh make_display_mesh(const Mesh& mesh, std::span<const std::uint8_t> outlier,
-                              const Vec3& origin, std::size_t max_elements);
+DisplayMesh make_display_mesh(const Mesh& mesh, std::span<const std::uint8_t> labels,
+                              std::span<const std::uint8_t> outlier, const Vec3& origin,
+                              std::size_t max_elements);
 
 /// The display mesh of a garment, in full. Vertices at the same place (seams) share a normal.
 DisplayMesh make_display_mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,

@@ -5,28 +5,53 @@
 
 namespace regarment {
 
-float FloorShadow::at(int column, int row) const {
-  if (half_width <= 0.0) return 0.0F;
-  const double u = (column + 0.5 - x) / half_width, v = (row + 0.5 - y) / half_height;
-  const double inside = 1.0 - u * u - v * v;
-  return inside > 0.0 ? static_cast<float>(0.4 * inside * inside) : 0.0F;
+namespace {
+
+// The last row that shows anything, or -1.
+int lowest_row(const GeometryBuffers& seen) {
+  for (std::size_t i = seen.id.size(); i-- > 0;) {
+    if (seen.id[i] != 0) return int(i / std::size_t(seen.width));
+  }
+  return -1;
+}
+
+// Moving mean over `radius` columns each way.
+std::vector<float> soften(const std::vector<float>& sharp, int radius) {
+  std::vector<double> sum(sharp.size() + 1, 0.0);
+  for (std::size_t i = 0; i < sharp.size(); ++i) sum[i + 1] = sum[i] + double(sharp[i]);
+  const int count = int(sharp.size());
+  std::vector<float> soft;
+  for (int i = 0; i < count; ++i) {
+    const double inside = sum[std::size_t(std::min(i + radius + 1, count))] -
+                          sum[std::size_t(std::max(i - radius, 0))];
+    soft.push_back(static_cast<float>(inside / (2 * radius + 1)));
+  }
+  return soft;
+}
+
+}  // namespace
+
+float FloorShadow::strength(int row) const {
+  if (half_height <= 0.0) return 0.0F;
+  const double v = (row + 0.5 - y) / half_height;
+  const double inside = std::max(1.0 - v * v, 0.0);
+  return static_cast<float>(0.45 * inside * inside);
 }
 
 FloorShadow floor_shadow(const Surface& surface, const Camera& camera) {
   const GeometryBuffers& seen = surface.seen;
-  int lowest = -1, left = seen.width, right = -1;
-  const int feet = std::max(int(0.1 * camera.pixels_per_metre), 1);
-  for (int y = seen.height - 1; y >= 0 && (lowest < 0 || y > lowest - feet); --y) {
-    for (int x = 0; x < seen.width; ++x) {
-      if (seen.id[seen.index(x, y)] == 0) continue;
-      lowest = std::max(lowest, y);
-      left = std::min(left, x), right = std::max(right, x);
-    }
-  }
+  const int lowest = lowest_row(seen);
   if (lowest < 0) return {};
   FloorShadow shadow;
-  shadow.x = seen.left + 0.5 * (left + right + 1);
-  shadow.half_width = 0.5 * (right + 1 - left) + 0.06 * camera.pixels_per_metre;
+  shadow.column.assign(std::size_t(camera.width), 0.0F);
+  const int feet = std::max(int(0.06 * camera.pixels_per_metre), 1);
+  for (int y = std::max(lowest - feet + 1, 0); y <= lowest; ++y) {
+    for (int x = 0; x < seen.width; ++x) {
+      if (seen.id[seen.index(x, y)] != 0) shadow.column[std::size_t(x + seen.left)] = 1.0F;
+    }
+  }
+  const int soft = std::max(int(0.03 * camera.pixels_per_metre), 1);
+  shadow.column = soften(soften(shadow.column, soft), soft);
   shadow.half_height = std::max(0.02 * camera.pixels_per_metre, 1.0);
   shadow.y = seen.top + lowest + 1 - 0.25 * shadow.half_height;
   return shadow;

@@ -125,91 +125,96 @@ struct DiscCorner {
 
 }  // namespace
 
+struct UploadedMesh::State {
+  const DisplayMesh& mesh;
+  Vec3 origin;
+  GlBuffer positions{}, normals{}, indices{};  // of a mesh; a cloud is uploaded view by view
+  GlVertexArray array{};
+};
+
+UploadedMesh::UploadedMesh(const DisplayMesh& mesh, const Vec3& origin)
+    : state_((Context::of_this_thread(), new State{mesh, origin})) {
+  const State& s = *state_;
+  glBindVertexArray(s.array.name());
+  if (mesh.is_cloud()) {
+    bind_floats(0, s.positions, sizeof(DiscCorner), offsetof(DiscCorner, position));
+    bind_floats(1, s.positions, sizeof(DiscCorner), offsetof(DiscCorner, normal));
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(DiscCorner),
+                           reinterpret_cast<const void*>(offsetof(DiscCorner, point)));
+    glEnableVertexAttribArray(2);
+    return;
+  }
+  bind_floats(0, s.positions, sizeof(Eigen::Vector3f), 0);
+  bind_floats(1, s.normals, sizeof(Eigen::Vector3f), 0);
+  upload(GL_ARRAY_BUFFER, s.positions, mesh.positions);
+  upload(GL_ARRAY_BUFFER, s.normals, mesh.normals);
+  upload(GL_ELEMENT_ARRAY_BUFFER, s.indices, mesh.triangles);
+}
+
+UploadedMesh::~UploadedMesh() = default;
+UploadedMesh::UploadedMesh(UploadedMesh&&) noexcept = default;
+
 struct GeometryPass::State {
   Context& context = Context::of_this_thread();
   Shader mesh_shader{"mesh"};
   Shader splat_shader{"splat"};
   Target target;
-  GlBuffer positions, normals, indices, corners;
-  GlVertexArray mesh_array, splat_array;
-  DisplayMesh mesh;  // loaded
-  Vec3 origin = Vec3::Zero();
 
-  void draw_mesh(const Camera& camera) const;
-  void draw_discs(const Camera& camera, double radius) const;
+  void draw_mesh(const UploadedMesh::State& uploaded, const Camera& camera) const;
+  void draw_discs(const UploadedMesh::State& uploaded, const Camera& camera, double radius) const;
 };
 
-void GeometryPass::State::draw_mesh(const Camera& camera) const {
+void GeometryPass::State::draw_mesh(const UploadedMesh::State& uploaded,
+                                    const Camera& camera) const {
   mesh_shader.use();
-  mesh_shader.set("clip_from_body", clip_from_body(camera, origin));
+  mesh_shader.set("clip_from_body", clip_from_body(camera, uploaded.origin));
   mesh_shader.set("view_from_body", Eigen::Matrix3f(camera.view_from_body.cast<float>()));
-  glBindVertexArray(mesh_array.name());
-  glDrawElements(GL_TRIANGLES, GLsizei(3 * mesh.triangles.size()), GL_UNSIGNED_INT, nullptr);
+  glBindVertexArray(uploaded.array.name());
+  glDrawElements(GL_TRIANGLES, GLsizei(3 * uploaded.mesh.triangles.size()), GL_UNSIGNED_INT,
+                 nullptr);
 }
 
-void GeometryPass::State::draw_discs(const Camera& camera, double radius) const {
+void GeometryPass::State::draw_discs(const UploadedMesh::State& uploaded, const Camera& camera,
+                                     double radius) const {
+  const DisplayMesh& mesh = uploaded.mesh;
   const double hidden_behind = 6.0 * mesh.spacing;  // m, more than neighbouring discs are apart
-  std::vector<DiscCorner> all;
+  std::vector<DiscCorner> corners;
   for (const std::uint32_t i :
-       visible_points(mesh.positions, origin, camera, 2.0 * radius, hidden_behind)) {
-    all.insert(all.end(), 3, {mesh.positions[i], mesh.normals[i], i});
+       visible_points(mesh.positions, uploaded.origin, camera, 2.0 * radius, hidden_behind)) {
+    corners.insert(corners.end(), 3, {mesh.positions[i], mesh.normals[i], i});
   }
   splat_shader.use();
-  splat_shader.set("clip_from_body", clip_from_body(camera, origin));
+  splat_shader.set("clip_from_body", clip_from_body(camera, uploaded.origin));
   splat_shader.set("view_from_body", Eigen::Matrix3f(camera.view_from_body.cast<float>()));
-  splat_shader.set("radius", Eigen::Vector2f(Eigen::Vector2d(2.0 * radius / camera.width,
-                                                             -2.0 * radius / camera.height)
-                                                 .cast<float>()));
+  splat_shader.set("radius", Eigen::Vector2f(float(2.0 * radius / camera.width),
+                                             float(-2.0 * radius / camera.height)));
   splat_shader.set("radius_in_depth",
                    float(0.5 * radius / (camera.pixels_per_metre * camera.depth_range)));
-  glBindVertexArray(splat_array.name());
-  upload(GL_ARRAY_BUFFER, corners, all);
-  glDrawArrays(GL_TRIANGLES, 0, GLsizei(all.size()));
+  glBindVertexArray(uploaded.array.name());
+  upload(GL_ARRAY_BUFFER, uploaded.positions, corners);
+  glDrawArrays(GL_TRIANGLES, 0, GLsizei(corners.size()));
 }
 
-GeometryPass::GeometryPass() : state_(std::make_unique<State>()) {
-  const State& s = *state_;
-  glBindVertexArray(s.mesh_array.name());
-  bind_floats(0, s.positions, sizeof(Eigen::Vector3f), 0);
-  bind_floats(1, s.normals, sizeof(Eigen::Vector3f), 0);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices.name());
-  glBindVertexArray(s.splat_array.name());
-  bind_floats(0, s.corners, sizeof(DiscCorner), offsetof(DiscCorner, position));
-  bind_floats(1, s.corners, sizeof(DiscCorner), offsetof(DiscCorner, normal));
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(DiscCorner),
-                         reinterpret_cast<const void*>(offsetof(DiscCorner, point)));
-  glEnableVertexAttribArray(2);
-}
-
+GeometryPass::GeometryPass() : state_(std::make_unique<State>()) {}
 GeometryPass::~GeometryPass() = default;
 
-void GeometryPass::load(DisplayMesh mesh, const Vec3& origin) {
+GeometryBuffers GeometryPass::draw(const UploadedMesh& uploaded, const Camera& camera) {
   State& s = *state_;
-  s.mesh = std::move(mesh);
-  s.origin = origin;
-  if (s.mesh.is_cloud()) return;
-  glBindVertexArray(s.mesh_array.name());
-  upload(GL_ARRAY_BUFFER, s.positions, s.mesh.positions);
-  upload(GL_ARRAY_BUFFER, s.normals, s.mesh.normals);
-  upload(GL_ELEMENT_ARRAY_BUFFER, s.indices, s.mesh.triangles);
-}
-
-GeometryBuffers GeometryPass::draw(const Camera& camera) {
-  State& s = *state_;
-  const bool cloud = s.mesh.is_cloud();
+  const UploadedMesh::State& u = *uploaded.state_;
+  const bool cloud = u.mesh.is_cloud();
   // A disc is at least two pixels wide, or points between pixel centres would be lost.
-  const double radius = std::max(kDiscRadius * s.mesh.spacing * camera.pixels_per_metre, 1.0);
+  const double radius = std::max(kDiscRadius * u.mesh.spacing * camera.pixels_per_metre, 1.0);
   const PixelRectangle area =
-      covered_pixels(s.mesh.positions, s.origin, camera, cloud ? radius : 0.0);
+      covered_pixels(u.mesh.positions, u.origin, camera, cloud ? radius : 0.0);
   if (area.empty()) return {};
   s.target.reserve(area.width(), area.height());
   Target::clear(area);
   glViewport(-area.left, -area.top, camera.width, camera.height);
   glEnable(GL_DEPTH_TEST);
   if (cloud) {
-    s.draw_discs(camera, radius);
+    s.draw_discs(u, camera, radius);
   } else {
-    s.draw_mesh(camera);
+    s.draw_mesh(u, camera);
   }
   GeometryBuffers buffers = Target::read(area, camera.depth_range);
   s.context.check("the geometry pass");

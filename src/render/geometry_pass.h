@@ -22,8 +22,23 @@ struct GeometryBuffers {
   std::size_t index(int x, int y) const { return std::size_t(y) * width + x; }
 };
 
-/// Draws display meshes into id, depth and normal buffers. Uses the thread's context; stay in one
-/// thread. Coverage is by pixel centres: for smooth pictures draw larger and scale down.
+/// A display mesh in OpenGL's memory. Belongs to the context of the thread that made it.
+class UploadedMesh {
+ public:
+  /// `mesh` has positions relative to `origin` (body frame, m) and must outlive this object.
+  UploadedMesh(const DisplayMesh& mesh, const Vec3& origin);
+  ~UploadedMesh();
+  UploadedMesh(UploadedMesh&& other) noexcept;
+  UploadedMesh& operator=(UploadedMesh&&) = delete;
+
+ private:
+  friend class GeometryPass;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Draws meshes into id, depth and normal buffers. Uses the thread's context; stay in one thread.
+/// Coverage is by pixel centres: for smooth pictures draw larger and scale down.
 class GeometryPass {
  public:
   GeometryPass();
@@ -31,11 +46,8 @@ class GeometryPass {
   GeometryPass(const GeometryPass&) = delete;
   GeometryPass& operator=(const GeometryPass&) = delete;
 
-  /// Uploads the mesh that the next draws show. Positions are relative to `origin` (body frame, m).
-  void load(DisplayMesh mesh, const Vec3& origin);
-
   /// One pass. Parts of the mesh outside the picture are cut off. Nothing in sight: empty buffers.
-  GeometryBuffers draw(const Camera& camera);
+  GeometryBuffers draw(const UploadedMesh& mesh, const Camera& camera);
 
  private:
   struct State;

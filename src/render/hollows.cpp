@@ -71,17 +71,24 @@ Hollows::Hollows(const GeometryBuffers& buffers, double radius)
   }
 }
 
-float Hollows::depth_around(int x, int y) const {
-  const float u = std::clamp((float(x) + 0.5F) / kBlock - 0.5F, 0.0F, float(width_ - 1));
-  const float v = std::clamp((float(y) + 0.5F) / kBlock - 0.5F, 0.0F, float(height_ - 1));
-  const int i = std::min(int(u), std::max(width_ - 2, 0));
-  const int j = std::min(int(v), std::max(height_ - 2, 0));
-  const int right = std::min(i + 1, width_ - 1), below = std::min(j + 1, height_ - 1);
-  const auto at = [&](int column, int row) { return mean_[std::size_t(row) * width_ + column]; };
-  const float fu = u - float(i), fv = v - float(j);
-  const float upper = at(i, j) + fu * (at(right, j) - at(i, j));
-  const float lower = at(i, below) + fu * (at(right, below) - at(i, below));
-  return upper + fv * (lower - upper);
+void Hollows::depths_around(int y, std::vector<float>& row) {
+  const auto place = [](int pixel, int blocks) {
+    return std::clamp((float(pixel) + 0.5F) / kBlock - 0.5F, 0.0F, float(blocks - 1));
+  };
+  const float v = place(y, height_);
+  const auto above = std::size_t(v) * std::size_t(width_);
+  const auto below = std::min(std::size_t(v) + 1, std::size_t(height_ - 1)) * std::size_t(width_);
+  const float down = v - std::floor(v);
+  line_.resize(std::size_t(width_) + 1);
+  for (std::size_t i = 0; i < std::size_t(width_); ++i) {
+    line_[i] = mean_[above + i] + down * (mean_[below + i] - mean_[above + i]);
+  }
+  line_[std::size_t(width_)] = line_[std::size_t(width_ - 1)];
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const float u = place(int(x), width_);
+    const auto i = std::size_t(u);
+    row[x] = line_[i] + (u - float(i)) * (line_[i + 1] - line_[i]);
+  }
 }
 
 }  // namespace regarment

@@ -15,11 +15,13 @@ class Hollows {
   /// `radius` of the surroundings, pixels.
   Hollows(const GeometryBuffers& buffers, double radius);
 
-  /// Mean depth round the pixel, m, between blocks interpolated.
-  float depth_around(int x, int y) const;
+  /// Mean depth round each pixel of a row, m, interpolated between blocks. `row` has as many
+  /// entries as the buffers have columns.
+  void depths_around(int y, std::vector<float>& row);
 
  private:
-  int width_, height_;
+  int width_, height_;       // blocks
+  std::vector<float> line_;  // one row of blocks, interpolated downwards
   std::vector<float> mean_;  // per block, m
 };
 

@@ -8,10 +8,11 @@ namespace {
 
 constexpr float kWireShade = 0.30F;  // lines are this much of the surface's colour
 
-Linear lit(Colour albedo, const Light& light) {
-  return {linear_from_srgb(albedo[0]) * light.r + light.shine,
-          linear_from_srgb(albedo[1]) * light.g + light.shine,
-          linear_from_srgb(albedo[2]) * light.b + light.shine, 1.0F};
+Linear lit(Colour albedo, const Light& light, float evenness) {
+  const float studio = 1.0F - evenness, shine = studio * light.shine;
+  return {linear_from_srgb(albedo[0]) * (studio * light.r + evenness) + shine,
+          linear_from_srgb(albedo[1]) * (studio * light.g + evenness) + shine,
+          linear_from_srgb(albedo[2]) * (studio * light.b + evenness) + shine, 1.0F};
 }
 
 float height_over(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
@@ -47,7 +48,7 @@ void paint_surface(const Paint& paint, PaintRow& row) {
     if (seen.id[i] == 0) continue;
     const auto column = std::size_t(x + seen.left);
     if (seen.depth[i] > row.depth[column] + paint.bias) continue;
-    Linear colour = lit((*paint.albedo)[i], surface.light[i]);
+    Linear colour = lit((*paint.albedo)[i], surface.light[i], paint.evenness);
     float opacity = paint.opacity;
     if (paint.wire > 0.0F && !surface.mesh->is_cloud()) {
       const Triangle& t = surface.mesh->triangles[seen.id[i] - 1];

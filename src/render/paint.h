@@ -20,6 +20,7 @@ struct Paint {
   const Surface* surface = nullptr;
   const Albedo* albedo = nullptr;
   float opacity = 1.0F;     // of the surface itself
+  float evenness = 0.0F;    // 0: the studio's light, 1: the bare albedo, for colours to be read off
   float wire = 0.0F;        // opacity of the lines along its triangles, 0 = none
   float wire_width = 2.0F;  // pixels
   float bias = 0.0F;        // m: how far behind what is painted it still counts as in front

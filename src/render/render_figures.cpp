@@ -1,34 +1,34 @@
 #include "render/render_figures.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
 #include "base/error.h"
 #include "render/albedo.h"
 #include "render/floor.h"
 #include "render/geometry_pass.h"
-#include "render/paint.h"
+#include "render/picture.h"
 #include "render/surface.h"
 
 namespace regarment {
 namespace {
 
-// Each pixel is the mean of this many by this many.
-constexpr int kSamples = 2;
-
 constexpr Colour kClay = {214, 208, 199};
+
+// Colours of values are read off against a legend: half of the light's modelling is enough.
+constexpr float kEvenness = 0.5F;
 
 // A draped garment lies within this of the cloth it was fitted to, and is shown in front of it.
 constexpr float kOnTheCloth = 0.02F;  // m
 
-struct ShownGarment {
-  DisplayMesh placed, draped;  // empty when not given or not asked for
-  int layer;
-};
-
-// The scene as all views draw it.
+// The scene as all views draw it. A mesh that is not given or not asked for is empty.
 struct Stage {
   const Scene& scene;
   Vec3 origin;
   DisplayMesh scan;
-  std::vector<ShownGarment> garments;
+  std::vector<DisplayMesh> placed, draped;  // one per garment
   std::vector<Camera> cameras;
 };
 
@@ -82,51 +82,61 @@ Box box_of_points(const Scene& scene) {
 
 Stage set_stage(const Scene& scene, std::span<const Look> looks, const FigureOptions& options) {
   const Box box = box_of_points(scene);
-  Stage stage{scene, Vec3::Zero(), {}, {}, frame_views(box, options.views, options.framing)};
+  Stage stage{scene, Vec3::Zero(), {}, {}, {}, frame_views(box, options.views, options.framing)};
   stage.origin = 0.5 * (box.low + box.high);
-  stage.scan = make_display_mesh(scene.scan, scene.outlier, stage.origin, options.max_elements);
+  stage.scan = make_display_mesh(scene.scan, scene.labels, scene.outlier, stage.origin,
+                                 options.max_elements);
   const auto shown = [&](const SceneGarment& garment, std::span<const Vec3> positions, Look look) {
-    if (positions.empty() || !wanted(looks, look)) return DisplayMesh();
+    if (positions.empty() || garment.triangles.empty() || !wanted(looks, look))
+      return DisplayMesh();
     return make_display_mesh(positions, garment.triangles, stage.origin);
   };
   for (const SceneGarment& garment : scene.garments) {
-    stage.garments.push_back({shown(garment, garment.placed, Look::Placement),
-                              shown(garment, garment.draped, Look::Drape), garment.layer});
+    stage.placed.push_back(shown(garment, garment.placed, Look::Placement));
+    stage.draped.push_back(shown(garment, garment.draped, Look::Drape));
   }
   return stage;
 }
 
-// All views of one mesh, so that it is uploaded once.
-std::vector<Surface> see_from_all(GeometryPass& pass, const DisplayMesh& mesh, const Stage& stage) {
-  std::vector<Surface> surfaces;
-  if (!mesh.positions.empty()) pass.load(mesh, stage.origin);
-  for (const Camera& camera : stage.cameras) {
-    surfaces.push_back(mesh.positions.empty()
-                           ? Surface()
-                           : see_surface(pass, mesh, stage.origin, supersampled(camera, kSamples)));
+// The meshes of a stage in OpenGL's memory, in one order for all views.
+class Cast {
+ public:
+  explicit Cast(const Stage& stage) : stage_(stage) {
+    add(stage.scan);
+    for (const DisplayMesh& mesh : stage.placed) add(mesh);
+    for (const DisplayMesh& mesh : stage.draped) add(mesh);
   }
-  return surfaces;
-}
 
-std::vector<Sight> look_from_all(const Stage& stage) {
-  GeometryPass pass;
-  std::vector<Sight> sights(stage.cameras.size());
-  std::vector<Surface> scan = see_from_all(pass, stage.scan, stage);
-  for (std::size_t v = 0; v < sights.size(); ++v) {
-    sights[v].camera = supersampled(stage.cameras[v], kSamples);
-    sights[v].shadow = floor_shadow(scan[v], sights[v].camera);
-    sights[v].scan = std::move(scan[v]);
-  }
-  for (const ShownGarment& garment : stage.garments) {
-    std::vector<Surface> placed = see_from_all(pass, garment.placed, stage);
-    std::vector<Surface> draped = see_from_all(pass, garment.draped, stage);
-    for (std::size_t v = 0; v < sights.size(); ++v) {
-      sights[v].placed.push_back(std::move(placed[v]));
-      sights[v].draped.push_back(std::move(draped[v]));
+  Sight see(const Camera& camera) {
+    Sight sight;
+    sight.camera = supersampled(camera, kSamples);
+    std::vector<Surface> surfaces;
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+      surfaces.push_back(uploaded_[i].has_value() ? see_surface(pass_, *uploaded_[i], *meshes_[i],
+                                                                stage_.origin, sight.camera)
+                                                  : Surface());
     }
+    const auto draped = surfaces.begin() + 1 + std::ptrdiff_t(stage_.placed.size());
+    sight.scan = std::move(surfaces.front());
+    sight.placed.assign(std::make_move_iterator(surfaces.begin() + 1),
+                        std::make_move_iterator(draped));
+    sight.draped.assign(std::make_move_iterator(draped), std::make_move_iterator(surfaces.end()));
+    sight.shadow = floor_shadow(sight.scan, sight.camera);
+    return sight;
   }
-  return sights;
-}
+
+ private:
+  void add(const DisplayMesh& mesh) {
+    meshes_.push_back(&mesh);
+    uploaded_.emplace_back();
+    if (!mesh.positions.empty()) uploaded_.back().emplace(mesh, stage_.origin);
+  }
+
+  const Stage& stage_;
+  GeometryPass pass_;
+  std::vector<const DisplayMesh*> meshes_;
+  std::vector<std::optional<UploadedMesh>> uploaded_;  // none for an empty mesh
+};
 
 Albedo scan_albedo(const Scene& scene, const Surface& scan, Look look, const ColourScale& scale) {
   if (look == Look::Scan && scene.scan.colours.size() == scene.scan.positions.size()) {
@@ -149,10 +159,11 @@ struct Painting {
 
 void add_garments(const Stage& stage, const Sight& sight, Look look, Painting& painting) {
   const bool placed = look == Look::Placement;
-  for (std::size_t g = stage.garments.size(); g-- > 0;) {  // innermost first
+  for (std::size_t g = stage.scene.garments.size(); g-- > 0;) {  // innermost first
     const Surface& surface = placed ? sight.placed[g] : sight.draped[g];
     if (surface.mesh == nullptr) continue;
-    painting.albedos.push_back(plain_albedo(surface, garment_colour(stage.garments[g].layer)));
+    painting.albedos.push_back(
+        plain_albedo(surface, garment_colour(stage.scene.garments[g].layer)));
     Paint paint{&surface, &painting.albedos.back()};
     if (placed) {
       paint.opacity = 0.55F;
@@ -166,48 +177,22 @@ void add_garments(const Stage& stage, const Sight& sight, Look look, Painting& p
 
 Painting compose(const Stage& stage, const Sight& sight, Look look, const ColourScale& scale) {
   Painting painting;
-  painting.albedos.reserve(1 + stage.garments.size());  // paints point into it
+  painting.albedos.reserve(1 + stage.scene.garments.size());  // paints point into it
   if (sight.scan.mesh != nullptr) {
     painting.albedos.push_back(scan_albedo(stage.scene, sight.scan, look, scale));
-    painting.paints.push_back({&sight.scan, &painting.albedos.back()});
+    Paint paint{&sight.scan, &painting.albedos.back()};
+    if (look == Look::Deviation) paint.evenness = kEvenness;
+    painting.paints.push_back(paint);
   }
   if (look == Look::Placement || look == Look::Drape) add_garments(stage, sight, look, painting);
   return painting;
 }
 
-void paint_floor(const Sight& sight, PaintRow& row) {
-  for (int x = 0; x < sight.camera.width; ++x) {
-    row.colour[std::size_t(x)] = {0, 0, 0, sight.shadow.at(x, row.y)};
-  }
-}
-
-Linear mean_of_samples(const std::vector<PaintRow>& rows, int x) {
-  Linear sum;
-  for (const PaintRow& row : rows) {
-    for (int s = 0; s < kSamples; ++s) sum = sum + row.colour[std::size_t(x * kSamples + s)];
-  }
-  return sum * (1.0F / (kSamples * kSamples));
-}
-
-Image paint_picture(const Sight& sight, const Painting& painting, const FigureOptions& options) {
-  Image image(options.framing.width, options.framing.height);
-  const Linear background =
-      linear({options.background.r, options.background.g, options.background.b},
-             float(options.background.a) / 255.0F);
-  std::vector<PaintRow> rows(kSamples);
-  for (int y = 0; y < image.height; ++y) {
-    for (int s = 0; s < kSamples; ++s) {
-      PaintRow& row = rows[std::size_t(s)];
-      row.y = y * kSamples + s;
-      row.colour.assign(std::size_t(sight.camera.width), Linear());
-      row.depth.assign(std::size_t(sight.camera.width), std::numeric_limits<float>::infinity());
-      if (options.shadow) paint_floor(sight, row);
-      for (const Paint& paint : painting.paints) paint_surface(paint, row);
-    }
-    for (int x = 0; x < image.width; ++x) {
-      image.at(x, y) = srgb(over(mean_of_samples(rows, x), background));
-    }
-  }
+Image make_picture(const Stage& stage, const Sight& sight, Look look,
+                   const FigureOptions& options) {
+  const Painting painting = compose(stage, sight, look, options.scale);
+  Image image = paint_picture(sight.camera, painting.paints,
+                              options.shadow ? &sight.shadow : nullptr, options.background);
   if (options.scale_bar) draw_scale_bar(image, sight.camera.pixels_per_metre / kSamples);
   return image;
 }
@@ -248,12 +233,13 @@ std::vector<Figure> render_figures(const Scene& scene, std::span<const Look> loo
   options.check();
   check_scene(scene);
   const Stage stage = set_stage(scene, looks, options);
-  const std::vector<Sight> sights = look_from_all(stage);
-  std::vector<Figure> figures;
-  for (const Look look : looks) {
-    for (std::size_t v = 0; v < sights.size(); ++v) {
-      const Painting painting = compose(stage, sights[v], look, options.scale);
-      figures.push_back({look, options.views[v], paint_picture(sights[v], painting, options)});
+  Cast cast(stage);
+  std::vector<Figure> figures(looks.size() * stage.cameras.size());
+  for (std::size_t v = 0; v < stage.cameras.size(); ++v) {
+    const Sight sight = cast.see(stage.cameras[v]);
+    for (std::size_t l = 0; l < looks.size(); ++l) {
+      figures[l * stage.cameras.size() + v] = {looks[l], options.views[v],
+                                               make_picture(stage, sight, looks[l], options)};
     }
   }
   return figures;

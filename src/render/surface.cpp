@@ -17,11 +17,11 @@ std::array<float, 3> Surface::barycentric(const Triangle& triangle, int x, int y
   return {wa / sum, wb / sum, wc / sum};
 }
 
-Surface see_surface(GeometryPass& pass, const DisplayMesh& mesh, const Vec3& origin,
-                    const Camera& camera) {
+Surface see_surface(GeometryPass& pass, const UploadedMesh& uploaded, const DisplayMesh& mesh,
+                    const Vec3& origin, const Camera& camera) {
   Surface surface;
   surface.mesh = &mesh;
-  surface.seen = pass.draw(camera);
+  surface.seen = pass.draw(uploaded, camera);
   if (mesh.is_cloud()) {
     smooth_normals(surface.seen, mesh.spacing * camera.pixels_per_metre, 3.0 * mesh.spacing);
   } else {

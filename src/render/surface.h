@@ -25,8 +25,8 @@ struct Surface {
   std::array<float, 3> barycentric(const Triangle& triangle, int x, int y) const;
 };
 
-/// Draws and lights the mesh. `camera` is the supersampled one.
-Surface see_surface(GeometryPass& pass, const DisplayMesh& mesh, const Vec3& origin,
-                    const Camera& camera);
+/// Draws and lights the mesh, which is uploaded already. `camera` is the supersampled one.
+Surface see_surface(GeometryPass& pass, const UploadedMesh& uploaded, const DisplayMesh& mesh,
+                    const Vec3& origin, const Camera& camera);
 
 }  // namespace regarment

@@ -14,9 +14,9 @@ std::uint64_t main_direction(const Vec3& normal) {
 
 std::uint64_t key_of(const Vec3& position, const Vec3& low, double inverse_cell) {
   const auto index = [&](int axis) {
-    return std::uint64_t(std::max((position[axis] - low[axis]) * inverse_cell, 0.0)) & 0xfffff;
+    return std::uint64_t(std::max((position[axis] - low[axis]) * inverse_cell, 0.0)) & 0x7ffff;
   };
-  return ((index(0) << 20 | index(1)) << 20 | index(2)) << 3;
+  return (index(0) << 19 | index(1)) << 19 | index(2);
 }
 
 // Open addressing: keys to numbers in the order of their first appearance.
@@ -48,6 +48,7 @@ class Numbering {
 }  // namespace
 
 VertexClusters cluster_vertices(std::span<const Vec3> positions, std::span<const Vec3> normals,
+                                std::span<const std::uint8_t> labels,
                                 std::span<const std::uint8_t> outlier, const Vec3& low,
                                 double cell) {
   VertexClusters clusters;
@@ -56,7 +57,8 @@ VertexClusters cluster_vertices(std::span<const Vec3> positions, std::span<const
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (!outlier.empty() && outlier[i] != 0) continue;
     std::uint64_t key = key_of(positions[i], low, 1.0 / cell);
-    if (!normals.empty()) key |= main_direction(normals[i]);
+    key = key << 3 | (normals.empty() ? 0 : main_direction(normals[i]));
+    key = key << 4 | (labels.empty() ? 0 : labels[i] & 15);
     clusters.of_vertex[i] = numbering.number_of(key);
   }
   clusters.count = numbering.count();

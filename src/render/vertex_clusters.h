@@ -16,9 +16,10 @@ struct VertexClusters {
   std::size_t count = 0;                 // clusters, numbered by their first vertex
 };
 
-/// `normals` may be empty. Vertices with `outlier` 1 are left out; `outlier` may be empty.
-/// `cell` > 0, m, and at least a 2^-19th of the box. Time in proportion to the vertices.
+/// `normals` and `labels` may be empty. Vertices with `outlier` 1 are left out; `outlier` may be
+/// empty. `cell` > 0, m, and at least a 2^-18th of the box. Time in proportion to the vertices.
 VertexClusters cluster_vertices(std::span<const Vec3> positions, std::span<const Vec3> normals,
+                                std::span<const std::uint8_t> labels,
                                 std::span<const std::uint8_t> outlier, const Vec3& low,
                                 double cell);
 
