@@ -12,7 +12,7 @@
 namespace regarment {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 struct Known {
   MeshFormat format;
@@ -76,7 +76,7 @@ std::optional<MeshFormat> by_content(std::string_view file) {
   }
   const std::size_t first = file.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && file[first] == '{' &&
-      file.substr(0, 64 * 1024).find('"') != std::string_view::npos) {
+      file.substr(0, std::size_t{64} << 10U).find('"') != std::string_view::npos) {
     return MeshFormat::Gltf;
   }
   return std::nullopt;

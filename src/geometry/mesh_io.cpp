@@ -9,7 +9,7 @@ namespace {
 
 // Text readers take LF or CR LF. A file of lone CRs would look like one endless line to them.
 void refuse_lone_carriage_returns(std::string_view file, std::string_view name) {
-  const std::string_view start = file.substr(0, 64 * 1024);
+  const std::string_view start = file.substr(0, std::size_t{64} << 10U);
   if (start.find('\n') == std::string_view::npos && start.find('\r') != std::string_view::npos) {
     throw ReadError(one_line(name) +
                     ": line 1: its lines end with CR alone; convert them to LF, as mac2unix does");

@@ -17,10 +17,14 @@ struct MeshReadLimits {
 };
 
 /// Parses the bytes of a mesh file. `name` is used in messages only. Polygons are fanned into
-/// triangles (at most 64 corners a face); a file without faces is a cloud. The order of vertices is
-/// the file's own for PLY, OBJ and OFF; three per facet for STL; the POSITION accessors in node
-/// order for glTF. Throws ReadError naming file, line or byte, and what to do. Call it through
-/// `read_mesh_sandboxed` for files from outside.
+/// triangles (at most 64 corners a face; faces of one or two corners enclose nothing and are passed
+/// over); a file without faces is a cloud. The order of vertices is the file's own for PLY, OBJ and
+/// OFF; three per facet for STL (nothing is joined, normals are not taken over); the POSITION
+/// accessors in node order for glTF, moved by the nodes' transforms. Normals come back at unit
+/// length, or zero where they have no direction; colours from 0..1, 0..255 or 0..65535 as bytes,
+/// cut off there; either only where every vertex has one. Coordinates are finite and at most 1e12.
+/// Throws ReadError naming file, line or byte, and what to do, also for what follows the last
+/// element. Call it through `read_mesh_sandboxed` for files from outside.
 Mesh parse_mesh(std::span<const std::byte> bytes, MeshFormat format, std::string_view name,
                 const MeshReadLimits& limits = {});
 

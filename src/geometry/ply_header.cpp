@@ -10,7 +10,7 @@
 namespace regarment {
 namespace {
 
-constexpr std::size_t kMostHeaderBytes = 64 * 1024;
+constexpr std::size_t kMostHeaderBytes = std::size_t{64} << 10U;
 
 std::string in_quotes(std::string_view word) { return "'" + one_line(word, 40) + "'"; }
 

@@ -104,6 +104,8 @@ class BinaryPlyRows {
     for (const PlyProperty& property : element.properties) {
       least += size_of(property.is_list ? property.count_type : property.type);
     }
+    // The header refuses rows without properties.
+    // NOLINTNEXTLINE(clang-analyzer-core.DivideZero)
     if (element.count <= room() / least) return;
     builder_.fail({Place::Unit::Line, element.line},
                   std::to_string(element.count) + " rows of element '" +

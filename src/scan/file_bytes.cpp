@@ -70,7 +70,8 @@ FileBytes read_file_bytes(const std::filesystem::path& path, std::uintmax_t most
     throw ReadError(name + ": the file has " + std::to_string(size) + " bytes, at most " +
                     std::to_string(most) + " are read; thin the scan out or save it as binary PLY");
   }
-  FileBytes bytes{take_memory(size, name), 0};
+  FileBytes bytes;
+  bytes.data = take_memory(size, name);
   while (bytes.size < size) {
     const ssize_t got = read(file.fd(), bytes.data.get() + bytes.size, size - bytes.size);
     if (got == 0) break;  // it became shorter meanwhile

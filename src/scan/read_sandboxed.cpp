@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -19,25 +20,21 @@ constexpr std::size_t kLongestMessage = 2000;
 
 enum class Outcome : std::uint32_t { None, Mesh, ReadError, OutOfMemory, TooLarge, Other };
 
-// The start of the shared memory; the arrays of the mesh follow, in the order of `for_each_array`.
-struct Answer {
+// The start of the shared memory; the arrays of the mesh follow, in the order of `for_each_array`,
+// largest alignment first, so that each begins where its elements may stand.
+struct alignas(16) Answer {
   Outcome outcome;
   MeshFormat format;
-  std::uint64_t positions, triangles, normals, colours;
+  std::uint64_t positions, normals, triangles, colours;
   char message[kLongestMessage + 1];
 };
 
 template <class Action>
 void for_each_array(Mesh& mesh, Action&& action) {
   action(mesh.positions);
-  action(mesh.triangles);
   action(mesh.normals);
+  action(mesh.triangles);
   action(mesh.colours);
-}
-
-template <class Element>
-constexpr std::size_t bytes_of(const std::vector<Element>& array) {
-  return array.size() * sizeof(Element);
 }
 
 // Large enough for any mesh within the limits, unless the file is too small to describe so much.
@@ -68,16 +65,16 @@ void say(Answer& answer, Outcome outcome, const char* message) {
 void give_mesh(Mesh& mesh, std::span<std::byte> memory, Answer& answer) {
   std::size_t at = sizeof(Answer);
   bool fits = true;
-  for_each_array(mesh, [&](const auto& array) {
-    const std::size_t bytes = bytes_of(array);
-    fits = fits && bytes <= memory.size() - at;
-    if (!fits || bytes == 0) return;
-    std::memcpy(memory.data() + at, array.data(), bytes);
-    at += bytes;
+  for_each_array(mesh, [&]<class Element>(const std::vector<Element>& array) {
+    fits = fits && array.size() <= (memory.size() - at) / sizeof(Element);
+    if (!fits) return;
+    std::uninitialized_copy(array.begin(), array.end(),
+                            reinterpret_cast<Element*>(memory.data() + at));
+    at += array.size() * sizeof(Element);
   });
   answer.positions = mesh.positions.size();
-  answer.triangles = mesh.triangles.size();
   answer.normals = mesh.normals.size();
+  answer.triangles = mesh.triangles.size();
   answer.colours = mesh.colours.size();
   answer.outcome = fits ? Outcome::Mesh : Outcome::TooLarge;
 }
@@ -142,8 +139,8 @@ class AnswerReader {
     check(answer_.colours == 0 || answer_.colours == n);
     Mesh mesh;
     take(mesh.positions, n);
-    take(mesh.triangles, answer_.triangles);
     take(mesh.normals, answer_.normals);
+    take(mesh.triangles, answer_.triangles);
     take(mesh.colours, answer_.colours);
     for (const Vec3& p : mesh.positions) check(p.allFinite());
     for (const Vec3& n_unit : mesh.normals) check(n_unit.allFinite());
@@ -175,11 +172,9 @@ class AnswerReader {
   }
   template <class Element>
   void take(std::vector<Element>& array, std::uint64_t count) {
-    // The counts are within the limits, so this cannot overflow.
-    check(count * sizeof(Element) <= memory_.size() - at_);
-    array.resize(count);
-    if (count > 0)
-      std::memcpy(static_cast<void*>(array.data()), memory_.data() + at_, count * sizeof(Element));
+    check(count <= (memory_.size() - at_) / sizeof(Element));
+    const auto* const first = reinterpret_cast<const Element*>(memory_.data() + at_);
+    array.assign(first, first + count);
     at_ += count * sizeof(Element);
   }
 

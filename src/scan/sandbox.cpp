@@ -57,10 +57,10 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 
 bool set_limits(const SandboxLimits& limits, std::uint64_t mapped) {
   const rlim_t seconds = rlim_t{limits.cpu_seconds} * kSlowdown;
-  const rlim_t memory = mapped + limits.memory;
   return limit(RLIMIT_CPU, seconds, seconds + 1) && limit(RLIMIT_FSIZE, 0, 0) &&
          limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_NPROC, 0, 0) &&
-         (kUnderSanitizer || mapped == 0 || limit(RLIMIT_AS, memory, memory));
+         (kUnderSanitizer || mapped == 0 ||
+          limit(RLIMIT_AS, mapped + limits.memory, mapped + limits.memory));
 }
 
 // Everything but computing, memory and ending answers EPERM. Not even reading is needed: the input
@@ -82,14 +82,16 @@ bool set_filter() {
          seccomp_load(filter) == 0;
 }
 
-// Signals that our process handles must end the child, not run our handlers in it. A sanitizer
-// keeps those it reports faults by.
+// Our handlers must not run in the child. Ctrl-C reaches it too, but whether to stop is for us to
+// say: a child that died of it would look like one that a file broke. A sanitizer keeps the signals
+// it reports faults by.
 void reset_signals() {
   for (int number = 1; number < NSIG; ++number) {
     const bool fault = number == SIGSEGV || number == SIGBUS || number == SIGFPE ||
                        number == SIGILL || number == SIGABRT;
     if (!(kUnderSanitizer && fault)) std::signal(number, SIG_DFL);
   }
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

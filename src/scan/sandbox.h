@@ -43,7 +43,7 @@ struct SandboxEnd {
 /// file, no socket, no process (seccomp allow-list, resource limits, all descriptors closed). No
 /// exception may leave `work`. Meanwhile `meanwhile` runs here; then this waits, asking `progress`
 /// ten times a second. The child is gone when this returns or throws, also when `progress` throws
-/// Stopped, and it dies with the calling thread.
+/// Stopped, and it dies with the calling thread; signals to the whole process group pass it by.
 ///
 /// Several threads may call it. But a fork copies the locks that other threads hold just then:
 /// glibc makes allocation safe in the child, other libraries do not, so call it before threads are

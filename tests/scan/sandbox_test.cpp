@@ -125,16 +125,23 @@ TEST(Sandbox, StoppingEndsTheChild) {
   EXPECT_TRUE(has_no_children());
 }
 
-TEST(Sandbox, HandlersOfTheParentDoNotRunInside) {
+// A terminal sends Ctrl-C to both. The parent decides; the child neither dies nor handles it.
+TEST(Sandbox, SignalsToTheGroupAreForTheParent) {
+  const SharedMemory memory(2 * sizeof(std::atomic<int>));
   static std::atomic<int>* handled = nullptr;
-  const SharedMemory memory(sizeof(std::atomic<int>));
   handled = &shared<std::atomic<int>>(memory);
-  auto* const before = std::signal(SIGINT, [](int) { ++*handled; });
-  const SandboxEnd end = run([] { std::raise(SIGINT); });
-  std::signal(SIGINT, before);
-  EXPECT_EQ(end.kind, Kind::Signal);
-  EXPECT_EQ(end.detail, "SIGINT");
-  EXPECT_EQ(handled->load(), 0);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    auto* const before = std::signal(number, [](int) { ++*handled; });
+    handled[1] = 0;
+    const SandboxEnd end = run([number] {
+      std::raise(number);
+      handled[1] = 1;
+    });
+    std::signal(number, before);
+    EXPECT_EQ(end.kind, Kind::Finished);
+    EXPECT_EQ(handled[0].load(), 0);
+    EXPECT_EQ(handled[1].load(), 1);
+  }
 }
 
 // As the reaper of orphans this process inherits the child when the process between them is killed.
