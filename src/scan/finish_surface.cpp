@@ -1,5 +1,6 @@
 #include "scan/finish_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>

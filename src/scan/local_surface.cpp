@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMostNeighbours = 64;
 constexpr std::size_t kGapNeighbours = 6;
-constexpr std::size_t kFirstFit = 40;     // neighbours of the first quadric
-constexpr std::size_t kLargestFit = 640;  // and of the last, each four times the one before
+constexpr std::size_t kFirstFit = 20;     // neighbours of the first quadric
+constexpr std::size_t kLargestFit = 320;  // and of the last, each four times the one before
 constexpr double kFlatEnough =
     0.25;  // noise over patch radius above which a larger patch is needed
 constexpr int kUnknowns = 6;

@@ -1,5 +1,6 @@
 #include "scan/make_scan.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -102,7 +103,7 @@ struct Upright {
 
   std::vector<Vec3> from_file(std::span<const Vec3> points) const {
     std::vector<Vec3> upright(points.size());
-    std::transform(points.begin(), points.end(), upright.begin(), [&](const Vec3& p) {
+    std::transform(points.begin(), points.end(), upright.begin(), [&](const Vec3& p) -> Vec3 {
       const Vec3 d = p - low * y;
       return Vec3(x.dot(d), y.dot(d), z.dot(d)) / height;
     });

@@ -1,5 +1,6 @@
 #include "scan/visible_side.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
