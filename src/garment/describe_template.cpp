@@ -1,6 +1,7 @@
 #include "garment/describe_template.h"
 
 #include <iomanip>
+#include <sstream>
 
 #include "garment/template_data.h"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "garment/garment_template.h"
 
 namespace regarment {

@@ -1,7 +1,9 @@
 #include "garment/formula.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <numbers>
 
 #include "base/error.h"

@@ -1,7 +1,10 @@
 #include "garment/garment_template.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/one_line.h"

@@ -1,6 +1,8 @@
 #include "garment/json_node.h"
 
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/one_line.h"

@@ -1,5 +1,6 @@
 #include "garment/panel_outline.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "garment/shape.h"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "garment/template_data.h"
 
 namespace regarment {

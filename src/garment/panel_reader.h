@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "garment/json_node.h"
 #include "garment/template_data.h"
 

@@ -1,5 +1,7 @@
 #include "garment/pattern.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 
 #include "base/error.h"

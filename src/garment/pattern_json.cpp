@@ -1,5 +1,8 @@
 #include "garment/pattern_json.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"

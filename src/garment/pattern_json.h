@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "garment/garment_template.h"
 
 namespace regarment {

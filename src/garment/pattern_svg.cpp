@@ -1,7 +1,10 @@
 #include "garment/pattern_svg.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <numbers>
+#include <sstream>
 
 #include "base/error.h"
 #include "garment/panel_outline.h"

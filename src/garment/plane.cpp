@@ -1,5 +1,7 @@
 #include "garment/plane.h"
 
+#include <algorithm>
+
 namespace regarment {
 
 double polygon_area(const std::vector<Vec2>& polygon) {

@@ -1,5 +1,6 @@
 #include "garment/sewing.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "base/error.h"

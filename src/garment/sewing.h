@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "garment/pattern.h"
 #include "garment/shape_mesh.h"
 #include "garment/template_data.h"

@@ -1,5 +1,7 @@
 #include "garment/shape.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace regarment {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "garment/template_data.h"
 
 namespace regarment {

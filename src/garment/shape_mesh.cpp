@@ -1,5 +1,7 @@
 #include "garment/shape_mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/error.h"

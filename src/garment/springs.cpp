@@ -1,5 +1,7 @@
 #include "garment/springs.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "garment/plane.h"
 

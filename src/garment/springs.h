@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "garment/pattern.h"
 
 namespace regarment {

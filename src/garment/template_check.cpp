@@ -1,7 +1,10 @@
 #include "garment/template_check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <set>
+#include <sstream>
 
 #include "base/error.h"
 #include "garment/plane.h"

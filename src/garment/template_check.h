@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "garment/shape_mesh.h"
 #include "garment/template_data.h"

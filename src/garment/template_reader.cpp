@@ -1,5 +1,6 @@
 #include "garment/template_reader.h"
 
+#include <algorithm>
 #include <set>
 
 #include "base/error.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "garment/template_data.h"
 
 namespace regarment {

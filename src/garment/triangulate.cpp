@@ -1,5 +1,7 @@
 #include "garment/triangulate.h"
 
+#include <algorithm>
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>

@@ -1,5 +1,7 @@
 #include "garment/garment_template.h"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"

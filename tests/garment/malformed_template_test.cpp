@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "garment/garment_template.h"
 
+#include <fstream>
+
 namespace regarment {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "garment/pattern_json.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -3,6 +3,9 @@
 #include "garment/springs.h"
 #include "garment_samples.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace regarment {
 namespace {
 
