@@ -65,10 +65,6 @@ bool at_border(const GeometryBuffers& seen, std::span<const std::uint8_t> labels
 
 }  // namespace
 
-Albedo plain_albedo(const Surface& surface, Colour colour) {
-  return Albedo(surface.seen.id.size(), colour);
-}
-
 Albedo vertex_albedo(const Surface& surface, std::span<const Colour> colours) {
   Albedo albedo(surface.seen.id.size());
   const DisplayMesh& mesh = *surface.mesh;

@@ -13,9 +13,6 @@ namespace regarment {
 /// where nothing is seen.
 using Albedo = std::vector<Colour>;
 
-/// The same colour everywhere.
-Albedo plain_albedo(const Surface& surface, Colour colour);
-
 /// Vertex colours, blended over each triangle. `colours`: one per vertex of the original mesh.
 Albedo vertex_albedo(const Surface& surface, std::span<const Colour> colours);
 

@@ -47,6 +47,11 @@ void spread(std::vector<Sum>& blocks, std::vector<Sum>& line, std::size_t first,
   }
 }
 
+// Where a pixel lies between the middles of blocks.
+float block_place(int pixel, int blocks) {
+  return std::clamp((float(pixel) + 0.5F) / Hollows::kBlock - 0.5F, 0.0F, float(blocks - 1));
+}
+
 }  // namespace
 
 Hollows::Hollows(const GeometryBuffers& buffers, double radius)
@@ -64,6 +69,10 @@ Hollows::Hollows(const GeometryBuffers& buffers, double radius)
       spread(blocks, line, std::size_t(x), std::size_t(width_), height_, half);
     }
   }
+  for (int x = 0; x < buffers.width; ++x) {
+    const float u = block_place(x, width_);
+    columns_.push_back({std::uint32_t(u), u - std::floor(u)});
+  }
   mean_.reserve(blocks.size());
   for (const Sum& block : blocks) {
     // Sums that only rounding left behind are no surroundings.
@@ -71,11 +80,8 @@ Hollows::Hollows(const GeometryBuffers& buffers, double radius)
   }
 }
 
-void Hollows::depths_around(int y, std::vector<float>& row) {
-  const auto place = [](int pixel, int blocks) {
-    return std::clamp((float(pixel) + 0.5F) / kBlock - 0.5F, 0.0F, float(blocks - 1));
-  };
-  const float v = place(y, height_);
+void Hollows::set_row(int y) {
+  const float v = block_place(y, height_);
   const auto above = std::size_t(v) * std::size_t(width_);
   const auto below = std::min(std::size_t(v) + 1, std::size_t(height_ - 1)) * std::size_t(width_);
   const float down = v - std::floor(v);
@@ -84,11 +90,6 @@ void Hollows::depths_around(int y, std::vector<float>& row) {
     line_[i] = mean_[above + i] + down * (mean_[below + i] - mean_[above + i]);
   }
   line_[std::size_t(width_)] = line_[std::size_t(width_ - 1)];
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const float u = place(int(x), width_);
-    const auto i = std::size_t(u);
-    row[x] = line_[i] + (u - float(i)) * (line_[i + 1] - line_[i]);
-  }
 }
 
 }  // namespace regarment

@@ -85,16 +85,15 @@ std::vector<Light> light_surface(const GeometryBuffers& buffers, double pixels_p
   if (light.empty()) return light;
   Hollows narrow(buffers, double(kNarrow) * pixels_per_metre);
   Hollows wide(buffers, double(kWide) * pixels_per_metre);
-  std::vector<float> narrow_row(std::size_t(buffers.width)), wide_row(narrow_row);
   for (int y = 0; y < buffers.height; ++y) {
-    narrow.depths_around(y, narrow_row);
-    wide.depths_around(y, wide_row);
-    for (std::size_t x = 0; x < narrow_row.size(); ++x) {
+    narrow.set_row(y);
+    wide.set_row(y);
+    for (std::size_t x = 0; x < std::size_t(buffers.width); ++x) {
       const std::size_t i = buffers.index(int(x), y);
       if (buffers.id[i] == 0) continue;
       const float depth = buffers.depth[i];
-      const float open = open_sky(depth - narrow_row[x], kNarrow, 0.32F) *
-                         open_sky(depth - wide_row[x], kWide, 0.30F);
+      const float open = open_sky(depth - narrow.depth_around(x), kNarrow, 0.32F) *
+                         open_sky(depth - wide.depth_around(x), kWide, 0.30F);
       const Light lit = studio_table.at(buffers.normal[i]);
       light[i] = {open * lit.r, open * lit.g, open * lit.b, open * lit.shine};
     }

@@ -48,7 +48,8 @@ void paint_surface(const Paint& paint, PaintRow& row) {
     if (seen.id[i] == 0) continue;
     const auto column = std::size_t(x + seen.left);
     if (seen.depth[i] > row.depth[column] + paint.bias) continue;
-    Linear colour = lit((*paint.albedo)[i], surface.light[i], paint.evenness);
+    Linear colour =
+        lit(paint.albedo.empty() ? paint.plain : paint.albedo[i], surface.light[i], paint.evenness);
     float opacity = paint.opacity;
     if (paint.wire > 0.0F && !surface.mesh->is_cloud()) {
       const Triangle& t = surface.mesh->triangles[seen.id[i] - 1];

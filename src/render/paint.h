@@ -18,7 +18,8 @@ struct PaintRow {
 /// How a surface is laid into a picture.
 struct Paint {
   const Surface* surface = nullptr;
-  const Albedo* albedo = nullptr;
+  Albedo albedo;  // empty: `plain` everywhere
+  Colour plain = {255, 255, 255};
   float opacity = 1.0F;     // of the surface itself
   float evenness = 0.0F;    // 0: the studio's light, 1: the bare albedo, for colours to be read off
   float wire = 0.0F;        // opacity of the lines along its triangles, 0 = none

@@ -138,6 +138,7 @@ class Cast {
   std::vector<std::optional<UploadedMesh>> uploaded_;  // none for an empty mesh
 };
 
+// Empty: clay.
 Albedo scan_albedo(const Scene& scene, const Surface& scan, Look look, const ColourScale& scale) {
   if (look == Look::Scan && scene.scan.colours.size() == scene.scan.positions.size()) {
     return vertex_albedo(scan, scene.scan.colours);
@@ -148,50 +149,43 @@ Albedo scan_albedo(const Scene& scene, const Surface& scan, Look look, const Col
   if (look == Look::Deviation && !scene.values.empty()) {
     return value_albedo(scan, scene.values, scale);
   }
-  return plain_albedo(scan, kClay);
+  return {};
 }
 
-// What is painted in one look, from the back to the front, and the colours it refers to.
-struct Painting {
-  std::vector<Albedo> albedos;
-  std::vector<Paint> paints;
-};
-
-void add_garments(const Stage& stage, const Sight& sight, Look look, Painting& painting) {
+void add_garments(const Stage& stage, const Sight& sight, Look look, std::vector<Paint>& paints) {
   const bool placed = look == Look::Placement;
   for (std::size_t g = stage.scene.garments.size(); g-- > 0;) {  // innermost first
     const Surface& surface = placed ? sight.placed[g] : sight.draped[g];
     if (surface.mesh == nullptr) continue;
-    painting.albedos.push_back(
-        plain_albedo(surface, garment_colour(stage.scene.garments[g].layer)));
-    Paint paint{&surface, &painting.albedos.back()};
-    if (placed) {
-      paint.opacity = 0.55F;
-      paint.wire = 0.75F;
-    } else {
-      paint.bias = kOnTheCloth;
-    }
-    painting.paints.push_back(paint);
+    Paint paint;
+    paint.surface = &surface;
+    paint.plain = garment_colour(stage.scene.garments[g].layer);
+    paint.opacity = placed ? 0.55F : 1.0F;
+    paint.wire = placed ? 0.75F : 0.0F;
+    paint.bias = placed ? 0.0F : kOnTheCloth;
+    paints.push_back(std::move(paint));
   }
 }
 
-Painting compose(const Stage& stage, const Sight& sight, Look look, const ColourScale& scale) {
-  Painting painting;
-  painting.albedos.reserve(1 + stage.scene.garments.size());  // paints point into it
+// What is painted in one look, from the back to the front.
+std::vector<Paint> compose(const Stage& stage, const Sight& sight, Look look,
+                           const ColourScale& scale) {
+  std::vector<Paint> paints;
   if (sight.scan.mesh != nullptr) {
-    painting.albedos.push_back(scan_albedo(stage.scene, sight.scan, look, scale));
-    Paint paint{&sight.scan, &painting.albedos.back()};
-    if (look == Look::Deviation) paint.evenness = kEvenness;
-    painting.paints.push_back(paint);
+    Paint paint;
+    paint.surface = &sight.scan;
+    paint.albedo = scan_albedo(stage.scene, sight.scan, look, scale);
+    paint.plain = kClay;
+    paint.evenness = look == Look::Deviation ? kEvenness : 0.0F;
+    paints.push_back(std::move(paint));
   }
-  if (look == Look::Placement || look == Look::Drape) add_garments(stage, sight, look, painting);
-  return painting;
+  if (look == Look::Placement || look == Look::Drape) add_garments(stage, sight, look, paints);
+  return paints;
 }
 
 Image make_picture(const Stage& stage, const Sight& sight, Look look,
                    const FigureOptions& options) {
-  const Painting painting = compose(stage, sight, look, options.scale);
-  Image image = paint_picture(sight.camera, painting.paints,
+  Image image = paint_picture(sight.camera, compose(stage, sight, look, options.scale),
                               options.shadow ? &sight.shadow : nullptr, options.background);
   if (options.scale_bar) draw_scale_bar(image, sight.camera.pixels_per_metre / kSamples);
   return image;

@@ -1,0 +1,141 @@
+#include "render/silhouette.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+#include "render/clip_matrix.h"
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/shader.h"
+
+namespace regarment {
+namespace {
+
+void check_mesh(std::span<const Triangle> triangles, std::size_t vertex_count, int size) {
+  if (size < 1 || size > 4096) {
+    throw InvalidInput("silhouettes of " + std::to_string(size) + " pixels, must be 1..4096");
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const std::uint32_t largest = *std::max_element(triangles[t].begin(), triangles[t].end());
+    if (largest < vertex_count) continue;
+    throw InvalidInput("triangle " + std::to_string(t) + " names vertex " +
+                       std::to_string(largest) + ", there are " + std::to_string(vertex_count));
+  }
+}
+
+}  // namespace
+
+std::size_t Silhouette::area() const {
+  return std::size_t(std::count(covered.begin(), covered.end(), std::uint8_t(1)));
+}
+
+struct SilhouetteRenderer::State {
+  Context& context = Context::of_this_thread();
+  Shader shader{"silhouette"};
+  GlFramebuffer framebuffer;
+  GlRenderbuffer mask;
+  GlBuffer positions, indices;
+  GlVertexArray array;
+  std::size_t vertex_count = 0;
+  GLsizei index_count = 0;
+  int size = 0;
+  std::vector<Eigen::Vector3f> staged;  // positions relative to the first camera's centre
+
+  void stage(std::span<const Vec3> points, const Vec3& origin);
+  Silhouette draw(const Camera& camera, const Vec3& origin) const;
+};
+
+SilhouetteRenderer::SilhouetteRenderer(std::span<const Triangle> triangles,
+                                       std::size_t vertex_count, int size) {
+  check_mesh(triangles, vertex_count, size);
+  state_ = std::make_unique<State>();
+  State& s = *state_;
+  s.vertex_count = vertex_count;
+  s.index_count = GLsizei(3 * triangles.size());
+  s.size = size;
+  s.staged.resize(vertex_count);
+  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
+  glBindRenderbuffer(GL_RENDERBUFFER, s.mask.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_R8, size, size);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s.mask.name());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(1,
+                "cannot draw: OpenGL refuses a silhouette of " + std::to_string(size) + " pixels");
+  }
+  glBindVertexArray(s.array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, s.positions.name());
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertex_count * sizeof(Eigen::Vector3f)), nullptr,
+               GL_DYNAMIC_DRAW);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
+  glEnableVertexAttribArray(0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(triangles.size_bytes()), triangles.data(),
+               GL_STATIC_DRAW);
+  s.context.check("preparing silhouettes");
+}
+
+SilhouetteRenderer::~SilhouetteRenderer() = default;
+
+void SilhouetteRenderer::State::stage(std::span<const Vec3> points, const Vec3& origin) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check_drawable(points[i], i);
+    staged[i] = (points[i] - origin).cast<float>();
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, positions.name());
+  glBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(staged.size() * sizeof(Eigen::Vector3f)),
+                  staged.data());
+}
+
+Silhouette SilhouetteRenderer::State::draw(const Camera& camera, const Vec3& origin) const {
+  // Depth does not count: the mesh is flattened so that nothing is cut off in front or behind.
+  Eigen::Matrix4f flat = clip_from_body(camera, origin);
+  flat.row(2).setZero();
+  shader.set("clip_from_body", flat);
+  constexpr std::array<GLfloat, 4> kNothing = {0, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, kNothing.data());
+  glDrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+  Silhouette silhouette{size, std::vector<std::uint8_t>(std::size_t(size) * std::size_t(size))};
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glReadPixels(0, 0, size, size, GL_RED, GL_UNSIGNED_BYTE, silhouette.covered.data());
+  for (std::uint8_t& pixel : silhouette.covered) pixel = pixel != 0 ? 1 : 0;
+  return silhouette;
+}
+
+std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions,
+                                                 std::span<const Camera> cameras) {
+  State& s = *state_;
+  if (positions.size() != s.vertex_count) {
+    throw InvalidInput("a silhouette of " + std::to_string(s.vertex_count) + " vertices got " +
+                       std::to_string(positions.size()));
+  }
+  std::vector<Silhouette> silhouettes;
+  if (cameras.empty()) return silhouettes;
+  const Vec3 origin = cameras.front().centre;
+  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
+  glBindVertexArray(s.array.name());
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glViewport(0, 0, s.size, s.size);
+  s.stage(positions, origin);
+  s.shader.use();
+  for (const Camera& camera : cameras) {
+    if (camera.width != s.size || camera.height != s.size) {
+      throw InvalidInput("a silhouette of " + std::to_string(s.size) + " pixels got a camera of " +
+                         std::to_string(camera.width) + " x " + std::to_string(camera.height));
+    }
+    silhouettes.push_back(s.draw(camera, origin));
+  }
+  s.context.check("silhouettes");
+  return silhouettes;
+}
+
+std::vector<Silhouette> four_silhouettes(const Mesh& mesh, const Box& box, int size) {
+  SilhouetteRenderer renderer(mesh.triangles, mesh.positions.size(), size);
+  Framing framing;
+  framing.width = framing.height = size;
+  return renderer.draw(mesh.positions, frame_views(box, four_sides(), framing));
+}
+
+}  // namespace regarment
