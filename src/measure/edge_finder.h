@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/limb_map.h"
+#include "placement/limb_map.h"
 
 namespace regarment {
 

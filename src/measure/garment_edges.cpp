@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kTrunkColumns = 144, kArmColumns = 40, kNeckColumns = 72;
 constexpr double kTrunkStep = 0.004, kArmStep = 0.005, kNeckStep = 0.004;
+constexpr double kSaidReach = 0.03;    // m about a height that a person gave
 constexpr double kFacing = 0.5;        // caps and bulges that close a hem face down, cloth faces out
 constexpr double kArmReach = 0.16;     // m, samples further from an arm's axis are torso
 constexpr double kLeastCoverage = 0.8; // of the loop where a person's own shape shows no edge
@@ -108,6 +109,7 @@ struct Finder {
   const Pattern& pattern;
   const std::string& title;
   const std::vector<std::uint8_t>& taken;
+  const std::map<std::string, double>& said;
   GarmentEdges out;
 
   void add_limbs();
@@ -154,7 +156,11 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   found.garment_above = at_bottom(pattern, edge);
   EdgeSearch search;
   search.garment_above = found.garment_above;
-  if (!found.garment_above) {
+  const auto given = said.find(edge.name);
+  if (given != said.end()) {
+    search.s_low = given->second - kSaidReach, search.s_high = given->second + kSaidReach;
+    found.found = find_edge(view.map, search);
+  } else if (!found.garment_above) {
     // A waist: cloth on skin, somewhere between the hips and the chest.
     search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
     found.found = find_edge(view.map, search);
@@ -171,7 +177,8 @@ void Finder::find_on_torso(const PatternEdge& edge) {
                                          body.neck, kTrunkStep, kTrunkColumns, kFacing);
     found.covered = covered_share(view, hidden, found) > 0.5;
   }
-  if (!found.covered && (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore))
+  if (given == said.end() && !found.covered &&
+      (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore))
     missing(edge.name, found.found);
   out.edges.emplace(edge.name, std::move(found));
 }
@@ -252,8 +259,9 @@ void Finder::find_on_neck(const PatternEdge& edge) {
 
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
-                                const std::vector<std::uint8_t>& taken) {
-  Finder finder{samples, body, pattern, title, taken, {}};
+                                const std::vector<std::uint8_t>& taken,
+                                const std::map<std::string, double>& said) {
+  Finder finder{samples, body, pattern, title, taken, said, {}};
   finder.add_limbs();
   double best_cuff = -1;
   const FoundEdge* cuff = nullptr;

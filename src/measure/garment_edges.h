@@ -9,13 +9,6 @@
 
 namespace regarment {
 
-/// One limb as the measurements see it.
-struct LimbView {
-  LimbAxis axis;
-  LimbMap map;                // outer surface facing away from the axis
-  std::vector<int> members;   // samples on the limb, whatever their normal
-};
-
 /// A named edge of a garment on the scan.
 struct GarmentEdge {
   std::string limb;            // "torso", "left_arm", "right_arm", "neck"
@@ -34,9 +27,12 @@ struct GarmentEdges {
 /// Looks for all open edges of a garment on the body. `taken` marks samples that belong to garments
 /// found before (one per sample, or empty): they are not looked at, and an edge that ends at them is
 /// covered. `pattern` is the garment at any dimensions: it tells which edges there are.
+/// `said`: heights above the floor (m) of edges round the trunk that a person gave: such an edge is looked
+/// for within 3 cm of its height and taken from there in any case.
 /// Throws NoGarmentError with the evidence when the edges the garment cannot do without are missing.
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
-                                const std::vector<std::uint8_t>& taken);
+                                const std::vector<std::uint8_t>& taken,
+                                const std::map<std::string, double>& said = {});
 
 }  // namespace regarment

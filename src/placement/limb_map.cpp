@@ -1,4 +1,4 @@
-#include "measure/limb_map.h"
+#include "placement/limb_map.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

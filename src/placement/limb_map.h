@@ -79,4 +79,11 @@ LimbMap make_limb_map(const SurfaceSamples& samples, const std::vector<int>& mem
                       const LimbAxis& axis, double s_low, double s_high, double step, int columns,
                       double min_facing = 0.3);
 
+/// One limb of a body as placement and measurements see it.
+struct LimbView {
+  LimbAxis axis;
+  LimbMap map;               // outer surface facing away from the axis
+  std::vector<int> members;  // samples on the limb, whatever their normal
+};
+
 }  // namespace regarment
