@@ -1,5 +1,6 @@
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "analysis/analyze.h"
 #include "app/commands.h"
@@ -91,6 +92,8 @@ void run_fit(const FitArguments& a, Console& console) {
   check_output_folder(a.out, a.force, inputs_of(a));
   std::vector<TruthRow> truth;
   if (a.ground_truth) truth = read_ground_truth(*a.ground_truth, a.scan);
+  AnalyzeOptions how;
+  if (a.placement) how.placement = read_placement(*a.placement);
   const Progress progress = console.progress();
   const int threads = thread_count(a);
   ReportOptions options = report_options(a, threads);
@@ -111,7 +114,7 @@ void run_fit(const FitArguments& a, Console& console) {
   progress.report("prepare", 1.0);
   const double prepare_seconds = watch.lap();
 
-  Analysis analysis = analyze(std::move(scan), templates, {}, progress);
+  Analysis analysis = analyze(std::move(scan), templates, how, progress);
   analysis.times.insert(analysis.times.begin(),
                         {{"read", read_seconds}, {"prepare", prepare_seconds}});
   if (!truth.empty()) apply_ground_truth(truth, a.ground_truth->filename().string(), analysis);

@@ -19,7 +19,7 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Writes one file; `name` may lie in a subfolder ("pictures/scan-front.webp"). Throws as
+  /// Writes one file; `name` may lie in a subfolder ("pictures/scan-front.jpg"). Throws as
   /// `write_file` does.
   void write(const std::filesystem::path& name, std::string_view bytes);
 

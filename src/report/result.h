@@ -64,7 +64,7 @@ struct ResultScan {
 struct StoredFigure {
   std::string kind;           // "scan", "segmentation", "placement", "drape"
   std::string view;           // "front", "left", "back", "right"
-  std::string file;           // "pictures/scan-front.webp"
+  std::string file;           // "pictures/scan-front.jpg"
   int width = 0, height = 0;  // pixels
 };
 

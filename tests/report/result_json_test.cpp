@@ -32,7 +32,7 @@ TEST(ResultJson, ComesBackTheSame) {
   result.threads = 2;
   result.scan.path = "scans/skirt-1.mesh.ply";
   result.label_score = LabelScore{40000, 0.98, 0.95, {0.97, std::nullopt}};
-  result.figures = {{"scan", "front", "pictures/scan-front.webp", 360, 640}};
+  result.figures = {{"scan", "front", "pictures/scan-front.jpg", 360, 640}};
   const std::string text = result_json(result);
   EXPECT_EQ(result_json(parse_result(text, "r")), text);
 }
