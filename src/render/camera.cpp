@@ -109,8 +109,9 @@ std::vector<Camera> frame_views(const Box& box, std::span<const View> views,
     camera.height = framing.height;
     camera.view_from_body = rotation(view);
     camera.centre = box.low + half;
-    // Half-extents of the turned box along the picture's axes.
-    const Vec3 extent = camera.view_from_body.cwiseAbs() * half;
+    // Half-extents of the turned box along the picture's axes; a line seen from its end has some.
+    const Vec3 extent =
+        (camera.view_from_body.cwiseAbs() * half).cwiseMax(Vec3::Constant(1e-3 * half.norm()));
     camera.depth_range = 1.05 * half.norm();
     scale = std::min({scale, (0.5 * framing.width - margin) / extent.x(),
                       (0.5 * framing.height - margin) / extent.y()});

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "render/clip_matrix.h"
 #include "render/context.h"
+#include "render/fill_holes.h"
 #include "render/gl.h"
 #include "render/shader.h"
 #include "render/visible_points.h"
@@ -218,6 +219,7 @@ GeometryBuffers GeometryPass::draw(const UploadedMesh& uploaded, const Camera& c
   }
   GeometryBuffers buffers = Target::read(area, camera.depth_range);
   s.context.check("the geometry pass");
+  if (cloud) fill_holes(buffers, int(std::ceil(2.0 * radius)), 3.0 * u.mesh.spacing);
   return buffers;
 }
 
