@@ -1,5 +1,6 @@
 #include "scan/cloud_normals.h"
 
+#include <array>
 #include <cmath>
 
 #include "geometry/parallel.h"
@@ -11,7 +12,7 @@ namespace {
 constexpr double kPixel =
     2.5;                     // spacings: few enough holes in a depth picture, fingers still apart
 constexpr int kRounds = 12;  // of asking the neighbours
-constexpr double kOwnShare = 0.4;   // weight of what a point sees itself
+constexpr float kOwnShare = 0.4F;   // weight of what a point sees itself
 constexpr double kAlong = 0.7;      // cosine: a given normal lies along the estimated one
 constexpr double kPlausible = 0.7;  // share of given normals that must
 constexpr double kNearlyAll =
@@ -21,16 +22,28 @@ constexpr double kNearlyAll =
 
 void orient_outward(std::span<const Vec3> points, double spacing, LocalSurface& surface) {
   const std::vector<float> seen = visible_side(points, surface.normals, points, kPixel * spacing);
+  // How much each neighbour's answer counts: for the same side or, where normals were estimated
+  // opposite, for the other.
+  std::vector<std::array<float, LocalSurface::kKept>> agreement(points.size());
+  parallel_for(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t n = 0; n < LocalSurface::kKept; ++n) {
+        const Vec3& theirs = surface.normals[surface.nearest[i][n]];
+        agreement[i][n] =
+            static_cast<float>(static_cast<double>((1 - kOwnShare) / LocalSurface::kKept) *
+                               surface.normals[i].dot(theirs));
+      }
+    }
+  });
   std::vector<float> side = seen, next(seen.size());
   for (int round = 0; round < kRounds; ++round) {
-    parallel_for(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        double neighbours = 0;
-        for (const std::uint32_t n : surface.nearest[i]) {
-          neighbours += static_cast<double>(side[n]) * surface.normals[i].dot(surface.normals[n]);
+        float sum = kOwnShare * seen[i];
+        for (std::size_t n = 0; n < LocalSurface::kKept; ++n) {
+          sum += agreement[i][n] * side[surface.nearest[i][n]];
         }
-        next[i] = static_cast<float>(kOwnShare * static_cast<double>(seen[i]) +
-                                     (1 - kOwnShare) * neighbours / LocalSurface::kKept);
+        next[i] = sum;
       }
     });
     side.swap(next);

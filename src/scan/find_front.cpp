@@ -45,25 +45,63 @@ double difference(const std::optional<double>& a, const std::optional<double>& b
   return a && b ? *a - *b : 0.0;
 }
 
-/// How far the middle of a foot lies before its ankle, mean over the feet that look like feet.
-double feet_cue(const std::vector<Seen>& points) {
-  double sum = 0, feet = 0;
-  for (const double side : {1.0, -1.0}) {
-    const auto foot = ahead_of(points, [&](const Seen& p) {
-      return p.height < 0.035 && between(side * p.side, 0.003, 0.3);
-    });
-    const auto ankle = ahead_of(points, [&](const Seen& p) {
-      return between(p.height, 0.05, 0.09) && between(side * p.side, 0.003, 0.3);
-    });
-    if (foot.size() < kFewest || ankle.size() < kFewest) continue;
-    const double heel = quantile(foot, 0.05), toes = quantile(foot, 0.95);
-    const double length = toes - heel;
-    const double ankle_length = quantile(ankle, 0.95) - quantile(ankle, 0.05);
-    if (!between(length, 0.06, 0.26) || length < 1.25 * ankle_length) continue;
-    sum += (toes + heel) / 2 - quantile(ankle, 0.5);
-    feet += 1;
+/// A straight line through points (height, ahead): the axis of a lower leg.
+struct Axis {
+  double height = 0.0, ahead = 0.0, slope = 0.0;
+
+  double at(double h) const { return ahead + slope * (h - height); }
+};
+
+Axis axis_of(const std::vector<Seen>& points) {
+  Axis axis;
+  for (const Seen& p : points) {
+    axis.height += p.height / static_cast<double>(points.size());
+    axis.ahead += p.ahead / static_cast<double>(points.size());
   }
-  return feet > 0 ? sum / feet : 0.0;
+  double product = 0, square = 0;
+  for (const Seen& p : points) {
+    product += (p.height - axis.height) * (p.ahead - axis.ahead);
+    square += (p.height - axis.height) * (p.height - axis.height);
+  }
+  if (square > 0) axis.slope = product / square;
+  return axis;
+}
+
+/// How far the middle of a foot lies before the axis of its lower leg; nothing where there is no
+/// foot: under a long skirt, or cut off.
+std::optional<double> foot_cue(const std::vector<Seen>& points, double side) {
+  double lowest = 1;
+  std::vector<Seen> leg;
+  for (const Seen& p : points) {
+    if (!between(side * p.side, 0.003, 0.35) || p.height > 0.5) continue;
+    leg.push_back(p);
+    lowest = std::min(lowest, p.height);
+  }
+  const auto part = [&](double low, double high) {
+    std::vector<Seen> inside;
+    for (const Seen& p : leg) {
+      if (between(p.height - lowest, low, high)) inside.push_back(p);
+    }
+    return inside;
+  };
+  const auto length_of = [](const std::vector<double>& ahead) {
+    return quantile(ahead, 0.95) - quantile(ahead, 0.05);
+  };
+  const std::vector<Seen> foot = part(-1, 0.04), shin = part(0.10, 0.24);
+  if (lowest > 0.25 || foot.size() < kFewest || shin.size() < kFewest) return std::nullopt;
+  const auto foot_ahead = ahead_of(foot, [](const Seen&) { return true; });
+  const auto ankle_ahead = ahead_of(part(0.06, 0.10), [](const Seen&) { return true; });
+  const double length = length_of(foot_ahead);
+  if (!between(length, 0.06, 0.26) || length < 1.25 * length_of(ankle_ahead)) return std::nullopt;
+  double height = 0;
+  for (const Seen& p : foot) height += p.height / static_cast<double>(foot.size());
+  return (quantile(foot_ahead, 0.95) + quantile(foot_ahead, 0.05)) / 2 - axis_of(shin).at(height);
+}
+
+double feet_cue(const std::vector<Seen>& points) {
+  const auto left = foot_cue(points, 1.0), right = foot_cue(points, -1.0);
+  if (left && right) return (*left + *right) / 2;
+  return left.value_or(right.value_or(0.0));
 }
 
 /// How far the middle of the head lies before the neck: jaw and nose lie ahead of it.
@@ -71,11 +109,12 @@ double face_cue(const std::vector<Seen>& points, const PersonLikeness& likeness)
   if (likeness.head < 0.2) return 0;
   const double half = std::max(0.07, 0.7 * likeness.head_width);
   const auto head = ahead_of(points, [&](const Seen& p) {
-    return between(p.height, likeness.neck_t + 0.02, likeness.head_top_t + 0.03) &&
+    return between(p.height, likeness.neck_t, likeness.head_top_t + 0.03) &&
            std::abs(p.side) < half;
   });
   const auto neck = ahead_of(points, [&](const Seen& p) {
-    return std::abs(p.height - likeness.neck_t) < 0.015 && std::abs(p.side) < half;
+    return between(p.height, likeness.neck_t - 0.045, likeness.neck_t - 0.005) &&
+           std::abs(p.side) < half;
   });
   return difference(mean(head), mean(neck));
 }
@@ -114,8 +153,10 @@ double legs_cue(const std::vector<Seen>& points, const PersonLikeness& likeness)
   return difference(part(0.30, 0.40), part(0.12, 0.20));
 }
 
-/// -1..1, reached at `full`.
-double share_of(double cue, double full) { return std::clamp(cue / full, -1.0, 1.0); }
+/// -1..1, reached at `full`; a cue far beyond is a part mistaken for another and says nothing.
+double share_of(double cue, double full) {
+  return std::abs(cue) > 5 * full ? 0.0 : std::clamp(cue / full, -1.0, 1.0);
+}
 
 }  // namespace
 

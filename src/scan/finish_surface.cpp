@@ -20,7 +20,8 @@ constexpr std::size_t kPlaces = 2000;         // where noise is measured
 constexpr double kLonely = 4.0;               // times the usual gap: a point on no surface
 constexpr double kMeshPixel = 1.3;            // of the sample's spacing
 
-/// The points a large cloud is judged by: chosen by where they are, not by their order.
+/// The points a cloud is judged by, neighbours in space near in the list. Which they are and their
+/// order depends on where they are alone (points in one cell of the curve keep the file's order).
 struct Chosen {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> index;  // in the full list
@@ -36,13 +37,37 @@ std::uint64_t scramble(const Vec3& p) {
   return h;
 }
 
+/// The lower 10 bits of a number, two free bits after each.
+std::uint32_t spaced(std::uint32_t bits) {
+  bits = (bits | bits << 16) & 0x030000ffu;
+  bits = (bits | bits << 8) & 0x0300f00fu;
+  bits = (bits | bits << 4) & 0x030c30c3u;
+  return (bits | bits << 2) & 0x09249249u;
+}
+
+/// Place of a point along a curve that fills space; the cells are 1/1024 of 4 m.
+std::uint32_t along_curve(const Vec3& p) {
+  std::uint32_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cell = std::clamp((p[axis] + 2) * 256, 0.0, 1023.0);
+    code |= spaced(static_cast<std::uint32_t>(cell)) << axis;
+  }
+  return code;
+}
+
 Chosen choose(std::span<const Vec3> points) {
   const std::size_t step = points.size() / kMostPoints + 1;
-  Chosen chosen;
-  chosen.points.reserve(points.size() / step + 1);
-  chosen.index.reserve(points.size() / step + 1);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
+  order.reserve(points.size() / step + 1);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (step > 1 && scramble(points[i]) % step != 0) continue;
+    order.emplace_back(along_curve(points[i]), i);
+  }
+  std::sort(order.begin(), order.end());
+  Chosen chosen;
+  chosen.points.reserve(order.size());
+  chosen.index.reserve(order.size());
+  for (const auto& [code, i] : order) {
     chosen.points.push_back(points[i]);
     chosen.index.push_back(i);
   }
@@ -101,6 +126,18 @@ struct Finished {
   std::vector<std::uint8_t> outlier;
 };
 
+/// Gives points that were not chosen the normal of the nearest one that was.
+void follow_chosen(const RawSurface& raw, const PointTree& tree, const LocalSurface& surface,
+                   Finished& finished) {
+  parallel_for(raw.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      PointNeighbour hit;
+      tree.nearest(raw.positions[i], {&hit, 1});
+      finished.normals[i] = surface.normals[hit.index];
+    }
+  });
+}
+
 Finished finish_cloud(const RawSurface& raw, Scan& scan) {
   const Chosen chosen = choose(raw.positions);
   const PointTree tree(chosen.points);
@@ -109,15 +146,11 @@ Finished finish_cloud(const RawSurface& raw, Scan& scan) {
   orient_outward(chosen.points, scan.facts.spacing / std::sqrt(chosen.share), surface);
   const std::vector<std::uint8_t> flags = lonely(surface);
   Finished finished{std::vector<Vec3>(raw.positions.size()), raw.stray};
-  parallel_for(raw.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      PointNeighbour hit;
-      hit.index = static_cast<std::uint32_t>(i);
-      if (chosen.share < 1) tree.nearest(raw.positions[i], {&hit, 1});
-      finished.normals[i] = surface.normals[hit.index];
-      if (hit.squared_distance == 0.0) finished.outlier[i] |= flags[hit.index];
-    }
-  });
+  for (std::size_t i = 0; i < chosen.index.size(); ++i) {
+    finished.normals[chosen.index[i]] = surface.normals[i];
+    finished.outlier[chosen.index[i]] |= flags[i];
+  }
+  if (chosen.share < 1) follow_chosen(raw, tree, surface, finished);
   switch (prefer_given(given_normals(raw, scan.mesh), finished.normals)) {
     case GivenNormals::Flipped:
       scan.facts.warnings.emplace_back("the file's normals point inward: they were turned");

@@ -14,7 +14,15 @@ int level_at(double t) { return static_cast<int>(t * kLevels); }
 
 struct HeadCue {
   double score = 0.0, neck_t = 0.0, top_t = 0.0, width = 0.0;
+  double neck_width = 1.0;
 };
+
+/// Of necks that score nearly alike the narrowest is the neck.
+bool is_better(const HeadCue& a, const HeadCue& b) {
+  constexpr double kNearly = 0.85;
+  if (a.score * kNearly > b.score) return true;
+  return a.score > kNearly * b.score && a.neck_width < b.neck_width;
+}
 
 /// The pieces from a tip downwards, each carried by the next.
 std::vector<const SlicePiece*> chain_below(const BodySlices& slices, int level, int piece) {
@@ -63,10 +71,10 @@ HeadCue find_head(const BodySlices& slices) {
            ++neck) {
         double width = 0;
         const double score = head_score(chain, neck, width);
-        if (score > best.score) {
-          const double top = BodySlices::middle_of(level);
-          best = {score, top - static_cast<double>(neck) / kLevels, top, width};
-        }
+        const double top = BodySlices::middle_of(level);
+        const HeadCue cue{score, top - static_cast<double>(neck) / kLevels, top, width,
+                          chain[neck]->width};
+        if (score > 0 && is_better(cue, best)) best = cue;
       }
     }
   }

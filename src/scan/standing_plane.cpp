@@ -15,10 +15,11 @@ constexpr double kStep = 2.5 * kPi / 180;
 constexpr double kBand = 0.012;         // of the height: what touches the floor
 constexpr double kFootPart = 0.4;       // of the height: where feet can be, in a tilted body
 constexpr std::size_t kContact = 40;    // sample points two soles, or their rims, show at least
-constexpr double kFlat = 60;            // contact of a body that stands: nothing to look for
+constexpr double kFlat = 100;           // contact of a body that stands: nothing to look for
 constexpr double kClearly = 2.5;        // times the contact across `up`
 constexpr double kSmallestTilt = 0.05;  // rad; less is a matter of how one stands
-constexpr double kBase = 0.03;  // of the height: spread of the contact across its shorter axis
+constexpr double kBalanced = 0.08;  // of the height: how far the body's middle may be off its feet
+constexpr double kBase = 0.03;      // of the height: spread of the contact across its shorter axis
 
 /// Points no higher than `band` over the third lowest along `up`, which may be a stray one.
 std::vector<Vec3> contact(const std::vector<Vec3>& points, const Vec3& up, double band) {
@@ -35,15 +36,25 @@ std::vector<Vec3> contact(const std::vector<Vec3>& points, const Vec3& up, doubl
   return touching;
 }
 
+Vec3 mean_of(std::span<const Vec3> points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// How far the middle of the body lies off the middle of what touches the floor, along the floor.
+double off_balance(const Vec3& middle, const std::vector<Vec3>& touching, const Vec3& up) {
+  const Vec3 over = middle - mean_of(touching);
+  return (over - up.dot(over) * up).norm();
+}
+
 struct Plane {
   Vec3 normal;
   double base;  // standard deviation along the shorter axis within the plane
 };
 
 Plane fit_plane(const std::vector<Vec3>& points, const Vec3& up) {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& p : points) mean += p;
-  mean /= static_cast<double>(points.size());
+  const Vec3 mean = mean_of(points);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& p : points) spread += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
@@ -84,7 +95,8 @@ std::optional<Vec3> standing_plane(std::span<const Vec3> points, const Vec3& up,
   }
   if (low.size() < kContact) return std::nullopt;
   const double band = kBand * height;
-  const auto as_it_is = static_cast<double>(contact(low, up, band).size());
+  const std::vector<Vec3> touching_now = contact(low, up, band);
+  const auto as_it_is = static_cast<double>(touching_now.size());
   if (as_it_is >= kFlat) return std::nullopt;
   Vec3 normal = most_contact(low, up, band);
   for (int pass = 0; pass < 3; ++pass) {
@@ -96,6 +108,10 @@ std::optional<Vec3> standing_plane(std::span<const Vec3> points, const Vec3& up,
     if (plane.base < kBase * height) return std::nullopt;
     normal = plane.normal;
   }
+  // Whoever jumps may hold both soles in a plane, but does not stand over them.
+  const Vec3 middle = mean_of(points);
+  const double off = off_balance(middle, contact(low, normal, band), normal);
+  if (off > kBalanced * height || off > off_balance(middle, touching_now, up)) return std::nullopt;
   if (std::acos(std::clamp(normal.dot(up), -1.0, 1.0)) < kSmallestTilt) return std::nullopt;
   return normal;
 }
