@@ -99,13 +99,11 @@ void run_fit(const FitArguments& a, Console& console) {
   ReportOptions options = report_options(a, threads);
 
   Stopwatch watch;
-  progress.report("read", 0.0);
   ReadMesh read = read_mesh_sandboxed(a.scan, {}, progress);
   std::vector<std::uint8_t> true_labels;
   if (a.ground_truth_labels) {
     true_labels = read_labels(*a.ground_truth_labels, read.mesh.positions.size());
   }
-  progress.report("read", 1.0);
   const double read_seconds = watch.lap();
 
   progress.report("prepare", 0.0);

@@ -15,7 +15,7 @@ std::string report_page(const Result& result, const PageParts& parts) {
   show_verdict(result, page);
   std::vector<Gaps> garments;
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
-    garments.push_back(show_garment(result.garments[i], parts.drawings[i]));
+    garments.push_back(show_garment(result.garments[i], i + 1, parts.drawings[i]));
   }
   page.set("garments", std::move(garments));
   show_figures(result, parts, page);

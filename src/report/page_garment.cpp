@@ -46,7 +46,7 @@ void show_judgement(const ResultMeasurement& m, Gaps& row) {
   row.set_maybe("truth", cm(m.truth_cm));
   row.set_maybe("published", cm(m.published_cm));
   const auto error = m.error_cm();
-  row.set_maybe("error", error ? signed_cm_text(*error * kCentimetre) : "");
+  row.set_maybe("error", error && m.observable ? signed_cm_text(*error * kCentimetre) : "");
   row.set_maybe("tolerance", has_tolerance ? "\u2212" + cm(m.tol_minus_cm.value_or(0.0)) + " / +" +
                                                  cm(m.tol_plus_cm.value_or(0.0))
                                            : "");
@@ -107,8 +107,9 @@ std::string in_words(const ResultGarment& garment) {
 
 }  // namespace
 
-Gaps show_garment(const ResultGarment& garment, const std::string& drawing) {
+Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& drawing) {
   Gaps gaps;
+  gaps.set("number", std::to_string(number));
   gaps.set("name", garment.title);
   gaps.set("template", garment.template_name);
   gaps.set("layer", std::to_string(garment.layer));
@@ -131,7 +132,8 @@ Gaps show_garment(const ResultGarment& garment, const std::string& drawing) {
   gaps.set("has_edges", !edges.empty());
   gaps.set("edges", std::move(edges));
   gaps.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
-  gaps.set("stretch", fixed_text((garment.mean_stretch - 1.0) * 100.0, 1));
+  gaps.set("stretched", garment.mean_stretch < 1.0 ? "compressed" : "stretched");
+  gaps.set("stretch", fixed_text(std::abs(garment.mean_stretch - 1.0) * 100.0, 1));
   gaps.set("drawing", picture_of(drawing));
   gaps.set("drawing_in_words", in_words(garment));
   return gaps;

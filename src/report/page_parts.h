@@ -12,8 +12,8 @@ namespace regarment {
 /// The head and the verdict: what was found, how sure, remarks.
 void show_verdict(const Result& result, Gaps& page);
 
-/// One garment: its measurement table, edges and drawing.
-Gaps show_garment(const ResultGarment& garment, const std::string& drawing);
+/// One garment, the `number`-th from 1 on: its measurement table, edges and drawing.
+Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& drawing);
 
 /// What is known of the scan, and how to overrule what was guessed.
 void show_scan(const Result& result, Gaps& page);

@@ -1,27 +1,31 @@
 #include <cmath>
 
+#include "render/heat_map.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
 namespace regarment {
 namespace {
 
-Gaps fact(const std::string& name, const std::string& value, const std::string& note = "") {
+Gaps fact(const std::string& name, const std::string& value, const std::string& note = "",
+          const std::string& option = "") {
   Gaps gaps;
   gaps.set("name", name);
   gaps.set("value", value);
   gaps.set_maybe("note", note);
+  gaps.set_maybe("option", option);
   return gaps;
 }
 
-std::string guessed(bool is_guess, const std::string& option) {
-  return is_guess ? "found from the shape; overrule with " + option : "as given";
+// A fact that may be a guess, how sure it is, and the option that overrules it.
+Gaps guess(const std::string& name, const std::string& value, bool is_guess,
+           const std::string& option, const std::string& sureness = "") {
+  if (!is_guess) return fact(name, value, "as given");
+  return fact(name, value, "found from the shape" + sureness + "; overrule with", option);
 }
 
-std::string front_note(const ResultScan& scan) {
-  if (!scan.front_guessed) return "as given";
-  return "found from the shape, " + fixed_text(std::floor(scan.front_confidence * 100.0), 0) +
-         "\u202f% sure; overrule with --front";
+std::string front_sureness(const ResultScan& scan) {
+  return ", " + fixed_text(std::floor(scan.front_confidence * 100.0), 0) + "\u202f% sure";
 }
 
 std::string kind(const ResultScan& scan) {
@@ -35,14 +39,14 @@ std::string share(std::size_t count, std::size_t of) {
   return fixed_text(100.0 * static_cast<double>(count) / static_cast<double>(of), 1);
 }
 
-Gaps label_row(const std::string& name, std::size_t count, const Result& result, int index) {
+Gaps label_row(const std::string& name, std::size_t count, const Result& result, std::size_t at,
+               int layer) {
   Gaps row;
   row.set("name", name);
   row.set("count", count_text(count));
   row.set("share", share(count, result.scan.vertices));
-  row.set("swatch", std::to_string(index));
+  row.set("colour", css_colour(garment_colour(layer)));
   const LabelScore* score = result.label_score ? &*result.label_score : nullptr;
-  const auto at = static_cast<std::size_t>(index);
   const bool scored = score != nullptr && at < score->iou.size() && score->iou[at].has_value();
   row.set_maybe("iou", scored ? fixed_text(*score->iou[at], 3) : "");
   return row;
@@ -55,9 +59,9 @@ void show_scan(const Result& result, Gaps& page) {
   std::vector<Gaps> facts = {
       fact("File", scan.file),
       fact("Kind", kind(scan)),
-      fact("Units", scan.units, guessed(scan.units_guessed, "--units")),
-      fact("Up", scan.up, guessed(scan.up_guessed, "--up")),
-      fact("Front", scan.front, front_note(scan)),
+      guess("Units", scan.units, scan.units_guessed, "--units"),
+      guess("Up", scan.up, scan.up_guessed, "--up"),
+      guess("Front", scan.front, scan.front_guessed, "--front", front_sureness(scan)),
       fact("Height", fixed_text(scan.height_cm, 1) + " cm", "floor to the top of the head"),
       fact("Point spacing", fixed_text(scan.spacing_mm, 1) + " mm", "median"),
       fact("Noise", fixed_text(scan.noise_mm, 1) + " mm",
@@ -70,6 +74,7 @@ void show_scan(const Result& result, Gaps& page) {
         fact("Caps", count_text(scan.caps), "triangles of invented surface that close a hem"));
   }
   for (const auto& [name, height] : result.landmarks_cm) {
+    if (name == "height") continue;
     std::string title = name;
     for (char& c : title) c = c == '_' ? ' ' : c;
     facts.push_back(fact("Level of " + title, fixed_text(height, 1) + " cm", "above the floor"));
@@ -78,10 +83,10 @@ void show_scan(const Result& result, Gaps& page) {
 }
 
 void show_labels(const Result& result, Gaps& page) {
-  std::vector<Gaps> rows = {label_row("Person", result.person, result, 0)};
+  std::vector<Gaps> rows = {label_row("Person", result.person, result, 0, 0)};
   for (std::size_t i = 0; i < result.garments.size() && i < result.garment_counts.size(); ++i) {
-    rows.push_back(label_row(result.garments[i].title, result.garment_counts[i], result,
-                             static_cast<int>(i) + 1));
+    rows.push_back(label_row(result.garments[i].title, result.garment_counts[i], result, i + 1,
+                             result.garments[i].layer));
   }
   page.set("labels", std::move(rows));
   page.set("unsure", count_text(result.unsure));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "report/page_parts.h"
@@ -35,7 +36,12 @@ std::string names(const Result& result) {
   std::string out;
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
     if (i > 0) out += i + 1 == result.garments.size() ? " over " : ", ";
-    out += result.garments[i].title;
+    std::string title = result.garments[i].title;
+    // A title inside a sentence: "T-shirt over skirt".
+    if (i > 0 && title.size() > 1 && title[1] >= 'a' && title[1] <= 'z') {
+      title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    }
+    out += title;
   }
   return out;
 }
