@@ -17,7 +17,7 @@ struct DisplayMesh {
   std::vector<Triangle> triangles;       // empty for a cloud
   std::vector<std::uint32_t> source_vertex;    // per vertex: index in the original
   std::vector<std::uint32_t> source_triangle;  // per triangle: index in the original
-  double spacing = 0.0;  // m, of a cloud: discs of 1.2 times this radius close the surface
+  double spacing = 0.0;  // m, of a cloud: discs of this radius meet, all but a few
 
   bool is_cloud() const { return triangles.empty(); }
 };

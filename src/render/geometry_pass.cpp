@@ -11,8 +11,8 @@
 namespace regarment {
 namespace {
 
-// Discs of this many spacings reach over the corners of their neighbours' cells.
-constexpr double kDiscRadius = 1.2;
+// In spacings. Larger discs leave fewer holes to fill, but take longer and blur outlines.
+constexpr double kDiscRadius = 1.0;
 
 struct PixelRectangle {
   int left = 0, top = 0, right = 0, bottom = 0;  // right and bottom are the first pixels outside
