@@ -12,6 +12,7 @@ constexpr double kCoarsestCellsAlong = 30;  // where a sparse cloud is given up 
 constexpr double kMargin = 0.12;            // of the longest side, kept around the robust extent
 constexpr double kStray = 0.001;            // share of points that may lie outside at either end
 constexpr double kConnected = 0.8;          // share of points the largest piece should hold
+constexpr double kFilled = 4.0;       // samples a cell should hold on average, or it has holes
 constexpr double kSmallPiece = 0.02;  // of the largest piece's cells; smaller ones are dropped
 constexpr double kMostSamples = 6e6;  // on triangles, so that absurd ones cannot take for ever
 
@@ -60,6 +61,16 @@ class Grid {
     sums_[i] += p - centre_;
     ++counts_[i];
     points_[i] += is_point ? 1 : 0;
+  }
+
+  /// Mean over the cells that hold any.
+  double samples_per_cell() const {
+    double samples = 0, cells = 0;
+    for (const std::uint32_t count : counts_) {
+      samples += count;
+      cells += count > 0 ? 1 : 0;
+    }
+    return samples / std::max(cells, 1.0);
   }
 
   /// Number of the connected piece of each cell, -1 for empty ones; neighbours touch by a face,
@@ -201,8 +212,8 @@ BodySample sample_body(std::span<const Vec3> points, std::span<const Triangle> t
     std::vector<std::size_t> cells_of, points_of;
     const std::vector<int> piece = grid.pieces(cells_of, points_of);
     const auto most = static_cast<double>(*std::max_element(points_of.begin(), points_of.end()));
-    if (most > kConnected * static_cast<double>(points.size()) ||
-        cell * kCoarsestCellsAlong > longest) {
+    const bool connected = most > kConnected * static_cast<double>(points.size());
+    if ((connected && grid.samples_per_cell() > kFilled) || cell * kCoarsestCellsAlong > longest) {
       return grid.sample(piece, cells_of);
     }
   }

@@ -57,7 +57,8 @@ double head_score(const std::vector<const SlicePiece*>& chain, std::size_t neck,
   const double bulges = 0.5 + 0.5 * ramp(head_width / chain[neck]->width, 1.0, 1.2);
   const double round = ramp(widest->depth / widest->width, 0.3, 0.6);
   const double not_stretched = ramp(1.7 * head_width - 0.5 * tall, 0.0, 0.05);
-  return on_shoulders * bulges * round * not_stretched;
+  const double not_flat = ramp(tall / head_width, 0.3, 0.6);
+  return on_shoulders * bulges * round * not_stretched * not_flat;
 }
 
 HeadCue find_head(const BodySlices& slices) {
@@ -129,7 +130,7 @@ double spread_between(const BodySlices& slices, double low, double high) {
 
 bool PersonLikeness::is_person() const {
   const int cues = (head >= 0.3) + (legs >= 0.4) + (arms >= 0.3) + (spread >= 0.3);
-  return (head >= 0.3 || legs >= 0.4) && cues >= 2 && total() >= 2.0;
+  return (head >= 0.3 || legs >= 0.4) && cues >= 2 && total() >= 2.5;
 }
 
 PersonLikeness judge_person(const BodySlices& slices) {
