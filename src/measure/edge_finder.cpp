@@ -1,8 +1,10 @@
 #include "measure/edge_finder.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/error.h"
 
@@ -15,6 +17,7 @@ constexpr double kDropEvidence = 1.0;  // evidence of cloth above nothing at all
 constexpr double kFullContrast = 0.12; // colour difference that counts as fully convincing
 constexpr double kMostEvidence = 2.0;
 constexpr double kSlopePenalty = 0.15; // evidence lost for moving one row, growing with its square
+constexpr double kStray = 0.01;         // m, scale at which a column stops counting for the straight curve
 constexpr double kSeenShare = 0.3;     // of full evidence: the column shows the edge
 
 /// What lies on both sides of one boundary between rows.
@@ -158,6 +161,30 @@ std::vector<double> smoothed(const std::vector<double>& v, int half) {
   return out;
 }
 
+/// Robust curve of two waves round the limb through the seen columns (least squares, reweighted).
+std::vector<double> two_waves(const std::vector<double>& s, const std::vector<bool>& seen) {
+  const auto n = static_cast<Eigen::Index>(s.size());
+  Eigen::MatrixXd waves(n, 5);
+  Eigen::VectorXd value(n), weight(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double phi = 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
+    waves.row(j) << 1, std::cos(phi), std::sin(phi), std::cos(2 * phi), std::sin(2 * phi);
+    value[j] = s[static_cast<std::size_t>(j)];
+    weight[j] = seen[static_cast<std::size_t>(j)] ? 1.0 : 0.05;
+  }
+  Eigen::VectorXd trust = weight, curve = value;
+  for (int round = 0; round < 8; ++round) {
+    const Eigen::MatrixXd weighted = trust.asDiagonal() * waves;
+    const Eigen::VectorXd c = (waves.transpose() * weighted).ldlt().solve(weighted.transpose() * value);
+    curve = waves * c;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double z = (value[j] - curve[j]) / kStray;
+      trust[j] = weight[j] / ((1 + z * z) * (1 + z * z));
+    }
+  }
+  return {curve.data(), curve.data() + n};
+}
+
 }  // namespace
 
 FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
@@ -218,6 +245,15 @@ FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
   if (seen < 3) return edge;
   fill_unseen(edge.s, edge.seen);
   fill_unseen(edge.r, edge.seen);
+  if (search.straightness > 0) {
+    const std::vector<double> straight = two_waves(edge.s, edge.seen);
+    for (int j = 0; j < columns; ++j) {
+      if (std::abs(edge.s[j] - straight[j]) <= search.straightness) continue;
+      edge.s[j] = straight[j];
+      edge.r[j] = outer_radius(map, straight[j], map.column_phi(j), 0.5);
+      if (edge.r[j] < 0) edge.r[j] = edge.r[(j + columns - 1) % columns];
+    }
+  }
   const std::vector<double> smooth = smoothed(edge.s, 4);
   std::vector<double> residual;
   for (int j = 0; j < columns; ++j) residual.push_back(std::abs(edge.s[j] - smooth[j]));

@@ -12,12 +12,16 @@ namespace {
 constexpr int kTrunkColumns = 144, kArmColumns = 40, kNeckColumns = 72;
 constexpr double kTrunkStep = 0.004, kArmStep = 0.005, kNeckStep = 0.004;
 constexpr double kSaidReach = 0.03;    // m about a height that a person gave
+constexpr double kBridge = 1.2;        // radians of missing surface bridged for pieces cut off
+constexpr double kLooseReach = 0.03;   // m from that surface at which a loose piece belongs to it
+constexpr double kWaistStray = 0.012;  // m, a waist is cut straight
 constexpr double kFacing = 0.5;        // caps and bulges that close a hem face down, cloth faces out
 constexpr double kArmReach = 0.16;     // m, samples further from an arm's axis are torso
 constexpr double kLeastCoverage = 0.8; // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
+constexpr double kFurtherGain = 0.3;   // of evidence that a cuff beyond must have more
 constexpr double kRivalShare = 0.7;    // of the best edge's score that makes another edge a rival
 
 std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken, bool want_taken) {
@@ -128,6 +132,15 @@ void Finder::add_limbs() {
   const LimbAxis trunk = trunk_axis(body);
   std::vector<int> members = trunk_members(body, taken, false);
   LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
+  // Holes in the scan cut pieces of cloth off: what lies on the surface between their neighbours joins.
+  const LimbView whole{trunk, map, {}};
+  const std::size_t before = members.size();
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    if (body.part[s] == BodyPart::Loose && (taken.empty() || taken[s] == 0) &&
+        beside_torso(whole, samples.positions[s]))
+      members.push_back(static_cast<int>(s));
+  if (members.size() > before)
+    map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
   out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
   for (const std::string& limb : pattern.panel_limbs)
     out.upper_body = out.upper_body || limb != "torso";
@@ -163,6 +176,7 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   } else if (!found.garment_above) {
     // A waist: cloth on skin, somewhere between the hips and the chest.
     search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
+    search.straightness = kWaistStray;
     found.found = find_edge(view.map, search);
   } else if (out.upper_body) {
     search.s_low = 0.1 * body.height, search.s_high = top - 0.03;
@@ -197,7 +211,8 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   if (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore) {
     search.s_low = search.s_high, search.s_high = 0.9 * view.axis.s_max();
     const FoundEdge further = find_edge(view.map, search);
-    if (further.score > found.found.score) found.found = further;
+    if (further.coverage >= kLeastCoverage && further.score > found.found.score + kFurtherGain)
+      found.found = further;
   }
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
 }
@@ -256,6 +271,12 @@ void Finder::find_on_neck(const PatternEdge& edge) {
 }
 
 }  // namespace
+
+bool beside_torso(const LimbView& torso, const Vec3& p) {
+  const LimbPoint at = torso.axis.locate(p);
+  const double outer = outer_radius(torso.map, at.s, at.phi, kBridge);
+  return outer > 0 && std::abs(at.r - outer) < kLooseReach;
+}
 
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,

@@ -24,6 +24,9 @@ struct GarmentEdges {
   bool upper_body = false;  // the garment has sleeves or a neck
 };
 
+/// Is a loose point part of the torso's outer surface, a piece cut off by holes in the scan?
+bool beside_torso(const LimbView& torso, const Vec3& p);
+
 /// Looks for all open edges of a garment on the body. `taken` marks samples that belong to garments
 /// found before (one per sample, or empty): they are not looked at, and an edge that ends at them is
 /// covered. `pattern` is the garment at any dimensions: it tells which edges there are.

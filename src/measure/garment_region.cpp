@@ -9,32 +9,14 @@ namespace {
 
 constexpr double kOutside = -0.5;      // m, for points that are nowhere near the garment
 constexpr double kUnder = 0.07;        // m (deeper than folds) below the outer surface: a leg under a skirt
-constexpr double kLooseReach = 0.015;  // m from the outer surface at which a loose piece belongs to it
+constexpr double kCoveredReach = 0.06; // m beyond where another garment hides an edge: its own hem waves
 
 int column_of(const LimbMap& map, double phi) {
   constexpr double kPi = std::numbers::pi;
   return std::clamp(static_cast<int>((phi + kPi) / (2 * kPi) * map.columns), 0, map.columns - 1);
 }
 
-/// Outermost radius near (s, phi); negative when there is no data within two rows.
-double outer_radius(const LimbMap& map, double s, double phi) {
-  const int j = column_of(map, phi);
-  const int row = static_cast<int>(std::floor((s - map.s_low) / map.step));
-  for (const int d : {0, 1, -1, 2, -2}) {
-    const int i = row + d;
-    if (i >= 0 && i < map.rows && map.has(i, j)) return map.radius[map.index(i, j)];
-  }
-  return -1;
-}
-
 }  // namespace
-
-bool GarmentRegion::on_outer_surface(const Vec3& p) const {
-  const LimbView& torso = edges_.limbs.at("torso");
-  const LimbPoint at = torso.axis.locate(p);
-  const double outer = outer_radius(torso.map, at.s, at.phi);
-  return outer > 0 && std::abs(at.r - outer) < kLooseReach;
-}
 
 double GarmentRegion::depth_on_torso(const Vec3& p) const {
   const LimbView& torso = edges_.limbs.at("torso");
@@ -43,8 +25,9 @@ double GarmentRegion::depth_on_torso(const Vec3& p) const {
   double depth = -kOutside;
   for (const auto& [name, edge] : edges_.edges) {
     if (edge.limb == "torso") {
+      const double beyond = edge.covered ? kCoveredReach : 0.0;
       const double s = edge.found.s[column];
-      depth = std::min(depth, edge.garment_above ? at.s - s : s - at.s);
+      depth = std::min(depth, beyond + (edge.garment_above ? at.s - s : s - at.s));
     } else if (edge.limb == "neck") {
       const LimbView& neck = edges_.limbs.at("neck");
       const LimbPoint ray = neck.axis.locate(p);
@@ -84,7 +67,7 @@ double GarmentRegion::depth(const Vec3& p, BodyPart part) const {
     case BodyPart::LeftArm: return depth_on_arm(p, 0);
     case BodyPart::RightArm: return depth_on_arm(p, 1);
     case BodyPart::Trunk: return depth_on_torso(p);
-    case BodyPart::Loose: return on_outer_surface(p) ? depth_on_torso(p) : kOutside;
+    case BodyPart::Loose: return beside_torso(edges_.limbs.at("torso"), p) ? depth_on_torso(p) : kOutside;
   }
   return kOutside;
 }

@@ -18,7 +18,6 @@ class GarmentRegion {
  private:
   double depth_on_torso(const Vec3& p) const;
   double depth_on_arm(const Vec3& p, int side) const;
-  bool on_outer_surface(const Vec3& p) const;
 
   const GarmentEdges& edges_;
   const Body& body_;

@@ -166,6 +166,28 @@ double LimbMap::column_phi(double j) const {
   return -std::numbers::pi + (j + 0.5) * 2 * std::numbers::pi / columns;
 }
 
+double outer_radius(const LimbMap& map, double s, double phi, double reach) {
+  const double turn = phi / (2 * std::numbers::pi) + 0.5;
+  const int j = std::clamp(static_cast<int>(turn * map.columns), 0, map.columns - 1);
+  const int row = static_cast<int>(std::floor((s - map.s_low) / map.step));
+  const auto near_row = [&](int column) {
+    for (const int d : {0, 1, -1, 2, -2}) {
+      const int i = row + d;
+      if (i >= 0 && i < map.rows && map.has(i, column)) return map.radius[map.index(i, column)];
+    }
+    return -1.0;
+  };
+  const double here = near_row(j);
+  const int most = static_cast<int>(reach / (2 * std::numbers::pi) * map.columns);
+  if (here >= 0 || most < 1) return here;
+  double back = -1, ahead = -1;
+  int b = 0, a = 0;
+  while (back < 0 && b < most) back = near_row(j - ++b);
+  while (ahead < 0 && a < most) ahead = near_row(j + ++a);
+  if (back < 0 || ahead < 0) return -1;
+  return (back * a + ahead * b) / (a + b);
+}
+
 LimbMap make_limb_map(const SurfaceSamples& samples, const std::vector<int>& members,
                       const LimbAxis& axis, double s_low, double s_high, double step, int columns,
                       double min_facing) {
