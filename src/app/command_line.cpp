@@ -23,6 +23,14 @@ CLI::Option* one_each(CLI::Option* option) {
   return option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+// What every JSON reader keeps exactly; CLI11 by itself takes -1 for the largest number there is.
+std::string whole_number(const std::string& text) {
+  constexpr std::size_t kMostDigits = 15;
+  const bool fits = !text.empty() && text.size() <= kMostDigits;
+  if (fits && text.find_first_not_of("0123456789") == std::string::npos) return {};
+  return "'" + text + "' is no whole number of at most 15 digits";
+}
+
 CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   const std::vector<std::string> axes = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"};
   CLI::App* fit = app.add_subcommand("fit", "Measure the garments of a dressed person in a scan");
@@ -34,7 +42,9 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_flag("--force", a.force, "Replace a folder that is not empty");
   fit->add_option("--method", a.method, "How to find the dimensions: direct")
       ->capture_default_str();
-  fit->add_option("--seed", a.seed, "Same seed, same bytes")->capture_default_str();
+  fit->add_option("--seed", a.seed, "Same seed, same bytes")
+      ->check(whole_number)
+      ->capture_default_str();
   fit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
       ->check(CLI::Range(1, 256));
   fit->add_flag("!--no-timing", a.timing,
@@ -83,7 +93,12 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
 void check_command_name(int argc, const char* const* argv) {
   if (argc < 2) throw UsageError("no command; use fit, report, render or templates (--help)");
   const std::string_view name = argv[1];
-  if (name.starts_with("-")) return;
+  for (const std::string_view known : {"-h", "--help", "--version"}) {
+    if (name == known) return;
+  }
+  if (name.starts_with("-")) {
+    throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
+  }
   for (const std::string_view known : {"fit", "report", "render", "templates"}) {
     if (name == known) return;
   }
