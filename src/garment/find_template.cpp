@@ -95,6 +95,7 @@ std::vector<TemplateEntry> list_templates() {
     if (!entries.contains(name)) entries[name] = {name, parse_builtin(builtin).title(), "built in"};
   }
   std::vector<TemplateEntry> sorted;
+  sorted.reserve(entries.size());
   for (auto& [name, entry] : entries) sorted.push_back(std::move(entry));
   return sorted;
 }

@@ -16,9 +16,9 @@ namespace regarment {
 
 namespace {
 
-constexpr double kBoundTolerance = 1e-9;  // m, so that a bound given in cm is inside
-constexpr std::uintmax_t kMaxFileBytes = 256 * 1024;
-constexpr int kHalvings = 10;  // 1/1024 of the way
+constexpr double kBoundTolerance = 1e-9;          // m, so that a bound given in cm is inside
+constexpr std::uintmax_t kMaxFileBytes = 262144;  // 256 KiB
+constexpr int kHalvings = 10;                     // 1/1024 of the way
 
 bool within(const Dimension& dimension, double value) {
   return value >= dimension.lower - kBoundTolerance && value <= dimension.upper + kBoundTolerance;

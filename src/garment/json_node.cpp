@@ -11,7 +11,7 @@ namespace regarment {
 
 namespace {
 
-constexpr std::size_t kMaxBytes = 256 * 1024;
+constexpr std::size_t kMaxBytes = 262144;  // 256 KiB
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxEcho = 60;  // longest piece of a file repeated in a message
 

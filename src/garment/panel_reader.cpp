@@ -199,7 +199,7 @@ void read_stitches(const JsonNode& node, TemplateData& data, std::set<EdgeRef>& 
 std::string read_limb(const JsonNode& node) {
   static const std::set<std::string> kLimbs = {"torso",     "neck",     "left_arm",
                                                "right_arm", "left_leg", "right_leg"};
-  const std::string limb = node.text();
+  std::string limb = node.text();
   if (!kLimbs.contains(limb))
     node.fail("must be torso, neck, left_arm, right_arm, left_leg or right_leg");
   return limb;
@@ -209,7 +209,7 @@ Formula read_formula(const JsonNode& node, const TemplateData& data) {
   if (node.is_number()) return Formula(node.number(-1e6, 1e6));
   const std::string text = node.text(Formula::kMaxLength + 1);
   try {
-    const Formula formula = Formula::parse(text);
+    Formula formula = Formula::parse(text);
     for (const std::string& name : formula.names())
       if (!is_known(data, name)) {
         node.fail("formula '" + text + "': '" + name +

@@ -37,6 +37,7 @@ double expected_vertices(const TemplateData& data, const std::vector<ShapeFrame>
 std::vector<Divisions> divide_alike(const TemplateData& data, const std::vector<ShapeFrame>& frames,
                                     double edge_length) {
   std::vector<Divisions> divisions;
+  divisions.reserve(frames.size());
   for (const ShapeFrame& frame : frames) divisions.push_back(divisions_for(frame, edge_length));
   const auto pieces = [&](const EdgeRef& ref) -> std::vector<int>& {
     return divisions[index(data.panels[index(ref.panel)].shape)][index(ref.edge)];

@@ -74,7 +74,7 @@ void read_names(const JsonNode& root, TemplateData& data, std::set<std::string>&
 }
 
 std::string read_free_edge(const JsonNode& node, const TemplateData& data) {
-  const std::string name = node.text(40);
+  std::string name = node.text(40);
   for (const FreeEdge& edge : data.free_edges)
     if (edge.name == name) return name;
   node.fail("there is no free edge of this name");

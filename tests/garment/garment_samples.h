@@ -39,6 +39,8 @@ inline std::vector<Dimensions> possible_dimensions(const GarmentTemplate& garmen
 /// metres, worked out here once more, by trigonometry instead of by the template's formulas.
 struct ShirtPoints {
   Vec2 neck, shoulder, end, cuff, underarm;
+  Vec2 sleeve_underarm;    // of the sleeve's own panel
+  bool is_turned = false;  // the sleeve would end inside the body, so its panel is turned
   explicit ShirtPoints(const Dimensions& d) {
     const double radians = std::acos(-1.0) / 180.0;
     const double half = d.at("width") / 4.0;
@@ -50,6 +52,15 @@ struct ShirtPoints {
     cuff = end + d.at("sleeve_opening") / 2.0 * Vec2(-along.y(), along.x());
     const double angle = std::acos((half - s) / (d.at("sleeve_seam") / 2.0));
     underarm = shoulder + d.at("sleeve_seam") / 2.0 * Vec2(std::cos(angle), std::sin(angle));
+    // The underarm point of the sleeve must lie 1 cm before the line of the opening.
+    const double farthest = d.at("sleeve_length") - 0.01;
+    is_turned = (underarm - shoulder).dot(along) > farthest;
+    sleeve_underarm = underarm;
+    if (is_turned) {
+      const double turned = 28 * radians + std::acos(farthest / (d.at("sleeve_seam") / 2.0));
+      sleeve_underarm =
+          shoulder + d.at("sleeve_seam") / 2.0 * Vec2(std::cos(turned), std::sin(turned));
+    }
   }
 };
 

@@ -100,7 +100,7 @@ TEST(PatternLength, ShirtMeasuresItsDimensions) {
         EXPECT_NEAR(measured(sleeve, points.shoulder, points.end), d.at("sleeve_length"), kExact);
         EXPECT_NEAR(measured(body, points.neck, points.shoulder),
                     (points.shoulder - points.neck).norm(), kExact);
-        seam_sleeve += measured(sleeve, points.shoulder, points.underarm);
+        seam_sleeve += measured(sleeve, points.shoulder, points.sleeve_underarm);
         seam_body += measured(body, points.shoulder, points.underarm);
         const Vec2 hem(d.at("width") / 4.0, d.at("length"));
         EXPECT_NEAR(measured(body, points.underarm, hem), hem.y() - points.underarm.y(), kExact);
@@ -141,7 +141,7 @@ TEST(PatternLength, ShirtHasItsAreaAndFixedNeck) {
                                       {d.at("width") / 4.0, d.at("length")},
                                       {0, d.at("length")}});
     const double hole = 0.5 * kNeckPieces * 0.09 * 0.07 * std::sin(kPi / kNeckPieces);
-    const double sleeve = polygon_area({p.shoulder, p.end, p.cuff, p.underarm});
+    const double sleeve = polygon_area({p.shoulder, p.end, p.cuff, p.sleeve_underarm});
     EXPECT_NEAR(total_area(pattern), 4.0 * (body + sleeve) - 2.0 * hole, 1e-9);
   }
 }

@@ -92,12 +92,14 @@ TEST(Sewing, NamesTheLoopsAndTheirLimbs) {
 }
 
 TEST(Sewing, WeldsPointsThatLieOnEachOther) {
-  // All seams of both garments lie in the same place of the common plane, so every welded vertex
-  // has the same s, t in all its panels, and two vertices of one panel are never welded.
+  // All seams of both garments lie in the same place of the common plane (but for a sleeve too
+  // short to be cut on), so every welded vertex has the same s, t in all its panels, and two
+  // vertices of one panel are never welded.
   for (const std::string name : {"skirt", "tshirt"}) {
     const GarmentTemplate garment = find_template(name);
     Pattern pattern = make_pattern(garment, garment.typical(), 0.03);
     for (const Dimensions& d : test::possible_dimensions(garment, 20)) {
+      if (name == "tshirt" && test::ShirtPoints(d).is_turned) continue;
       move_pattern(garment, d, pattern);
       std::map<int, std::vector<std::size_t>> vertices;
       for (std::size_t v = 0; v < pattern.flat.size(); ++v)
