@@ -33,8 +33,23 @@ void include(const SliceCluster& c, TrunkLevel& level) {
   level.z_min = std::min(level.z_min, c.z_min), level.z_max = std::max(level.z_max, c.z_max);
 }
 
-/// Clusters lying mostly within [x_min, x_max], joined; their number along x in `pieces`.
+/// Does the cluster lie mostly over one of those of the slice before? A fold of a skirt that hangs free
+/// lower down does; a hand beside it does not.
+bool continues(const SliceCluster& c, const std::vector<const SliceCluster*>& before) {
+  const auto share = [](double low, double high, double other_low, double other_high) {
+    const double shared = std::min(high, other_high) - std::max(low, other_low);
+    return shared / std::max(high - low, 0.005);
+  };
+  return std::any_of(before.begin(), before.end(), [&](const SliceCluster* b) {
+    return share(c.x_min, c.x_max, b->x_min - 0.005, b->x_max + 0.005) > 0.6 &&
+           share(c.z_min, c.z_max, b->z_min - 0.005, b->z_max + 0.005) > 0.6;
+  });
+}
+
+/// Clusters lying mostly within [x_min, x_max] or continuing those of the slice `before`, joined;
+/// their number along x in `pieces`.
 TrunkLevel gather(const std::vector<SliceCluster>& clusters, double x_min, double x_max, double y,
+                  const std::vector<const SliceCluster*>& before,
                   std::vector<const SliceCluster*>& members) {
   TrunkLevel level;
   level.y = y;
@@ -42,7 +57,8 @@ TrunkLevel gather(const std::vector<SliceCluster>& clusters, double x_min, doubl
   for (const SliceCluster& c : clusters) {
     const bool covers = c.x_min < x_min + 0.02 && c.x_max > x_max - 0.02;
     if (overlap(c, x_min, x_max) < 0.6 && !covers &&
-        std::min(c.x_max, x_max) - std::max(c.x_min, x_min) < 0.5 * (x_max - x_min))
+        std::min(c.x_max, x_max) - std::max(c.x_min, x_min) < 0.5 * (x_max - x_min) &&
+        !continues(c, before))
       continue;
     include(c, level);
     members.push_back(&c);
@@ -128,11 +144,12 @@ void Follower::walk(int from, int step, const TrunkLevel& previous, bool find_ar
   sides[0].reach = {previous.x_max};
   sides[1].reach = {-previous.x_min};
   double x_min = previous.x_min, x_max = previous.x_max;  // where the trunk is looked for
+  std::vector<const SliceCluster*> before;  // going down alone: arms never hang on to a skirt's folds
   int missing = 0;
   for (int i = from; i >= 0 && i < static_cast<int>(slices.levels.size()); i += step) {
     std::vector<const SliceCluster*> members;
     TrunkLevel level =
-        gather(slices.levels[i], x_min, x_max, (i + 0.5) * h, members);
+        gather(slices.levels[i], x_min, x_max, (i + 0.5) * h, before, members);
     if (!level.present) {
       if (++missing * h > kLongestGap) break;
       continue;
@@ -176,6 +193,7 @@ void Follower::walk(int from, int step, const TrunkLevel& previous, bool find_ar
     if (level.left_arm_joined || level.right_arm_joined) trim_depth(members, samples, level);
     body.trunk[i] = level;
     take(i, members);
+    if (step < 0) before = members;
     // A hole in the scan must not lose a leg: the search narrows slowly.
     x_min = std::min(level.x_min, x_min + kNarrowing);
     x_max = std::max(level.x_max, x_max - kNarrowing);
@@ -193,7 +211,7 @@ int start_level(const Slices& slices, double height, double middle_x) {
     for (const SliceCluster& c : slices.levels[i]) {
       if (c.x_min > middle_x || c.x_max < middle_x) continue;  // an arm beside the trunk
       members.clear();
-      const TrunkLevel level = gather(slices.levels[i], c.x_min, c.x_max, 0, members);
+      const TrunkLevel level = gather(slices.levels[i], c.x_min, c.x_max, 0, {}, members);
       const double width = level.x_max - level.x_min, depth = level.z_max - level.z_min;
       if (width < 0.08 * height || depth < 0.05 * height || width >= best_width) continue;
       best_width = width;
@@ -231,7 +249,7 @@ std::vector<bool> follow_trunk(const Slices& slices, const SurfaceSamples& sampl
       x_min = std::min(x_min, c.x_min), x_max = std::max(x_max, c.x_max);
   std::vector<const SliceCluster*> members;
   TrunkLevel first =
-      gather(slices.levels[start], x_min, x_max, (start + 0.5) * slices.height, members);
+      gather(slices.levels[start], x_min, x_max, (start + 0.5) * slices.height, {}, members);
   body.trunk[start] = first;
   Follower follower{slices, samples, body, in_trunk};
   follower.take(start, members);
