@@ -13,35 +13,35 @@ namespace regarment {
 /// One named dimension of one garment, as found. All lengths in metres.
 struct Measurement {
   std::string name, code;
-  double flat = 0.0;                   // the flat garment, as a tape reads it on a table
-  double low = 0.0, high = 0.0;        // 90 % interval of `flat`
-  std::optional<double> worn;          // the same line as it lies on the body
-  bool observable = true;              // false: the scan says nothing, `flat` is a typical value
-  std::optional<double> truth;         // given by the user
+  double flat = 0.0;             // the flat garment, as a tape reads it on a table
+  double low = 0.0, high = 0.0;  // 90 % interval of `flat`
+  std::optional<double> worn;    // the same line as it lies on the body
+  bool observable = true;        // false: the scan says nothing, `flat` is a typical value
+  std::optional<double> truth;   // given by the user
   std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
 };
 
 /// A garment edge found on the scan, as a closed curve.
 struct EdgeCurve {
-  std::string name;          // "hem"
-  std::vector<Vec3> points;  // body frame, closed, first not repeated
-  double standard_error = 0; // m, of the curve's position across the edge
-  double coverage = 0;       // share of the loop, by angle, where the scan shows the edge, 0..1
-  std::string evidence;      // what showed it: "step", "colour", "drop", "crease", ...
+  std::string name;           // "hem"
+  std::vector<Vec3> points;   // body frame, closed, first not repeated
+  double standard_error = 0;  // m, of the curve's position across the edge
+  double coverage = 0;        // share of the loop, by angle, where the scan shows the edge, 0..1
+  std::string evidence;       // what showed it: "step", "colour", "drop", "crease", ...
 };
 
 struct GarmentAnalysis {
   std::string template_name;
-  int layer = 1;  // 1 = outermost
+  int layer = 1;                          // 1 = outermost
   std::vector<Measurement> measurements;  // in the template's order
   Dimensions dimensions;                  // m, what `pattern` shows
   Pattern pattern;                        // flat, at `dimensions`
-  std::vector<Vec3> placed;               // start of the garment, body frame, one per pattern vertex
-  std::vector<Vec3> draped;               // the garment on the scan, body frame, one per pattern vertex
+  std::vector<Vec3> placed;  // start of the garment, body frame, one per pattern vertex
+  std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
   std::size_t vertices_labelled = 0;
-  double mean_distance = 0.0;             // m, draped garment to the scan, area-weighted mean
-  double mean_stretch = 1.0;              // mean of spring length over rest length
+  double mean_distance = 0.0;  // m, draped garment to the scan, area-weighted mean
+  double mean_stretch = 1.0;   // mean of spring length over rest length
 };
 
 struct StageTime {
@@ -52,12 +52,14 @@ struct StageTime {
 /// Everything found for one scan. Body frame, metres.
 struct Analysis {
   Scan scan;
-  std::string method;                       // "direct"
-  std::vector<GarmentAnalysis> garments;    // outermost first
-  std::vector<std::uint8_t> labels;         // per vertex: 0 person, i = i-th garment
-  std::vector<float> label_probability;     // per vertex: how sure the label is, 0.5..1
-  std::vector<std::uint8_t> cap;            // per triangle: 1 = invented surface closing a hem; empty for a cloud
-  std::map<std::string, double> landmarks;  // name -> height above floor, m ("crotch", "waist", ...)
+  std::string method;                     // "direct"
+  std::vector<GarmentAnalysis> garments;  // outermost first
+  std::vector<std::uint8_t> labels;       // per vertex: 0 person, i = i-th garment
+  std::vector<float> label_probability;   // per vertex: how sure the label is, 0.5..1
+  std::vector<std::uint8_t>
+      cap;  // per triangle: 1 = invented surface closing a hem; empty for a cloud
+  std::map<std::string, double>
+      landmarks;  // name -> height above floor, m ("crotch", "waist", ...)
   std::vector<std::string> warnings;
   std::vector<StageTime> times;
 };

@@ -19,8 +19,8 @@
 namespace regarment {
 namespace {
 
-constexpr double kNormal90 = 1.645;     // half width of a 90 % interval in standard deviations
-constexpr double kFabricStretch = 0.05; // tight cloth is worn up to this much longer than flat
+constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
+constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
 constexpr std::size_t kMostGarments = 8;
 
 class Stopwatch {
@@ -44,7 +44,8 @@ struct Stage {
   Labels labels;
 };
 
-/// Is this length a tight one, worn longer than flat? Waists, hips and whatever is measured below a waist.
+/// Is this length a tight one, worn longer than flat? Waists, hips and whatever is measured below a
+/// waist.
 bool is_tight(const ObservedLength& o, const GarmentEdges& edges) {
   const auto edge = edges.edges.find(o.observation->edge);
   return edge != edges.edges.end() && edge->second.limb == "torso" && !edge->second.garment_above &&
@@ -68,7 +69,9 @@ Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
     if (!o.seen || o.observation->equals != d.name) continue;
     const double w = 1 / (o.standard_deviation * o.standard_deviation);
     sum += w * o.value, weight += w;
-    if (is_tight(o, edges)) m.low = std::min(m.low, m.flat * (1 - kFabricStretch) - kNormal90 * solved.standard_deviation);
+    if (is_tight(o, edges))
+      m.low =
+          std::min(m.low, m.flat * (1 - kFabricStretch) - kNormal90 * solved.standard_deviation);
   }
   m.worn = weight > 0 ? sum / weight : solved.value;
   return m;
@@ -77,12 +80,13 @@ Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
 std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region) {
   std::vector<std::uint8_t> cloth(stage.samples.size(), 0);
   for (std::size_t s = 0; s < cloth.size(); ++s)
-    cloth[s] = stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
+    cloth[s] =
+        stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
   return cloth;
 }
 
-/// Heights for the placement; an edge hidden by another garment lies as far from the opposite edge as
-/// the garment is long.
+/// Heights for the placement; an edge hidden by another garment lies as far from the opposite edge
+/// as the garment is long.
 PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern) {
   PlacementTarget target;
   target.limbs = &edges.limbs;
@@ -90,7 +94,8 @@ PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& patte
   for (const auto& [name, edge] : edges.edges) {
     if (!edge.covered) continue;
     double t_low = 1e9, t_high = -1e9, mean = 0, n = 0;
-    for (const Vec2& p : pattern.flat) t_low = std::min(t_low, p.y()), t_high = std::max(t_high, p.y());
+    for (const Vec2& p : pattern.flat)
+      t_low = std::min(t_low, p.y()), t_high = std::max(t_high, p.y());
     for (const auto& [other_name, other] : edges.edges)
       if (other.limb == edge.limb && !other.covered)
         for (double s : other.found.s) mean += s, n += 1;
@@ -148,9 +153,12 @@ void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
                 const GarmentAnalysis& found, std::vector<std::string>& warnings) {
   for (const auto& [name, edge] : edges.edges) {
     if (edge.covered)
-      warnings.push_back(garment.title() + ": its " + name + " is covered by another garment; what depends on it is not measured");
+      warnings.push_back(garment.title() + ": its " + name +
+                         " is covered by another garment; what depends on it is not measured");
     else if (edge.found.coverage < 0.7)
-      warnings.push_back(garment.title() + ": its " + name + " shows on " + std::to_string(static_cast<int>(100 * edge.found.coverage)) + " % of the loop only; check the pictures");
+      warnings.push_back(garment.title() + ": its " + name + " shows on " +
+                         std::to_string(static_cast<int>(100 * edge.found.coverage)) +
+                         " % of the loop only; check the pictures");
   }
   const auto left = edges.edges.find("left_cuff"), right = edges.edges.find("right_cuff");
   if (edges.upper_body && (left == edges.edges.end() || right == edges.edges.end()))
@@ -158,7 +166,8 @@ void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
   for (const Measurement& m : found.measurements) {
     const Dimension& d = garment.dimension(m.name);
     if (m.observable && (m.flat <= d.lower || m.flat >= d.upper))
-      warnings.push_back(garment.title() + ": " + d.title + " ends at the bound of the template, " + centimetres(m.flat) + "; it may be a different garment");
+      warnings.push_back(garment.title() + ": " + d.title + " ends at the bound of the template, " +
+                         centimetres(m.flat) + "; it may be a different garment");
   }
 }
 
@@ -169,12 +178,13 @@ GarmentAnalysis analyze_garment(const Scan& scan, const GarmentTemplate& garment
   out.template_name = garment.name();
   out.layer = layer;
   out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
-  const GarmentEdges edges = find_garment_edges(stage.samples, stage.body, out.pattern, garment.name(),
-                                                layer > 1 ? stage.taken : std::vector<std::uint8_t>{},
-                                                stage.options.placement.edges);
+  const GarmentEdges edges = find_garment_edges(
+      stage.samples, stage.body, out.pattern, garment.name(),
+      layer > 1 ? stage.taken : std::vector<std::uint8_t>{}, stage.options.placement.edges);
   const GarmentRegion region(edges, stage.body);
   const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
-  const std::vector<ObservedLength> observed = observe(stage.samples, stage.body, edges, cloth, garment);
+  const std::vector<ObservedLength> observed =
+      observe(stage.samples, stage.body, edges, cloth, garment);
   const auto solved = solve_dimensions(garment, observed);
   for (const Dimension& d : garment.dimensions()) {
     out.measurements.push_back(measurement_of(d, solved.at(d.name), observed, edges));
@@ -195,8 +205,8 @@ GarmentAnalysis analyze_garment(const Scan& scan, const GarmentTemplate& garment
     if (cloth[s]) stage.taken[s] = 1;
   const std::vector<std::uint8_t> caps = find_caps(scan, edges);
   for (std::size_t f = 0; f < caps.size(); ++f) cap[f] = cap[f] != 0 || caps[f] != 0;
-  out.vertices_labelled = static_cast<std::size_t>(
-      std::count(stage.labels.label.begin(), stage.labels.label.end(), static_cast<std::uint8_t>(layer)));
+  out.vertices_labelled = static_cast<std::size_t>(std::count(
+      stage.labels.label.begin(), stage.labels.label.end(), static_cast<std::uint8_t>(layer)));
   warn_about(garment, edges, out, warnings);
   return out;
 }
@@ -213,14 +223,16 @@ void AnalyzeOptions::check() const {
 Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
                  const AnalyzeOptions& options, const Progress& progress) {
   options.check();
-  if (templates.empty()) throw UsageError("no garment asked for; give --garment NAME, outermost first");
+  if (templates.empty())
+    throw UsageError("no garment asked for; give --garment NAME, outermost first");
   if (templates.size() > kMostGarments)
     throw UsageError("more than 8 garments asked for; give the visible ones");
   Analysis analysis;
   analysis.method = "direct";
   Stopwatch watch;
   progress.report("place", 0.0);
-  Stage stage{options, sample_surface(scan.mesh, options.sample_spacing, scan.outlier), {}, {}, {}, {}};
+  Stage stage{options, sample_surface(scan.mesh, options.sample_spacing, scan.outlier), {}, {}, {},
+              {}};
   stage.taken.assign(stage.samples.size(), 0);
   progress.report("place", 0.3);
   stage.body = find_body(stage.samples, scan.facts.height);

@@ -20,8 +20,8 @@ struct AnalyzeOptions {
 
 /// Finds the garments of `templates` (outermost first) on a scan by the direct method: edges on the
 /// scan itself, lengths between them, labels of what lies inside; no cloth is simulated.
-/// Throws NoPersonError, NoGarmentError with the evidence, UsageError for an empty list or more than 8
-/// garments, Stopped when progress says so.
+/// Throws NoPersonError, NoGarmentError with the evidence, UsageError for an empty list or more
+/// than 8 garments, Stopped when progress says so.
 Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
                  const AnalyzeOptions& options = {}, const Progress& progress = {});
 

@@ -10,11 +10,11 @@ namespace regarment {
 /// Points spread evenly over a surface, so that meshes with large triangles and point clouds can be
 /// measured alike. All vectors have one entry per sample.
 struct SurfaceSamples {
-  std::vector<Vec3> positions;       // frame and unit of the mesh
-  std::vector<Vec3> normals;         // unit or zero
-  std::vector<Vec3> colours;         // red, green, blue in 0..1; empty when the mesh has none
-  std::vector<double> areas;         // m^2 of surface a sample stands for
-  std::vector<std::uint32_t> vertex; // a vertex of the mesh it came from (nearest corner)
+  std::vector<Vec3> positions;        // frame and unit of the mesh
+  std::vector<Vec3> normals;          // unit or zero
+  std::vector<Vec3> colours;          // red, green, blue in 0..1; empty when the mesh has none
+  std::vector<double> areas;          // m^2 of surface a sample stands for
+  std::vector<std::uint32_t> vertex;  // a vertex of the mesh it came from (nearest corner)
 
   std::size_t size() const { return positions.size(); }
 };

@@ -11,21 +11,22 @@
 namespace regarment {
 namespace {
 
-constexpr double kWindow = 0.028;      // m of surface looked at on each side of an edge
-constexpr double kSkip = 0.004;        // m next to the edge left out: meshes round it off
-constexpr double kDropEvidence = 1.0;  // evidence of cloth above nothing at all
-constexpr double kFullContrast = 0.12; // colour difference that counts as fully convincing
+constexpr double kWindow = 0.028;       // m of surface looked at on each side of an edge
+constexpr double kSkip = 0.004;         // m next to the edge left out: meshes round it off
+constexpr double kDropEvidence = 1.0;   // evidence of cloth above nothing at all
+constexpr double kFullContrast = 0.12;  // colour difference that counts as fully convincing
 constexpr double kMostEvidence = 2.0;
-constexpr double kSlopePenalty = 0.15; // evidence lost for moving one row, growing with its square
-constexpr double kStray = 0.01;         // m, scale at which a column stops counting for the straight curve
-constexpr double kSeenShare = 0.3;     // of full evidence: the column shows the edge
+constexpr double kSlopePenalty = 0.15;  // evidence lost for moving one row, growing with its square
+constexpr double kStray = 0.01;  // m, scale at which a column stops counting for the straight curve
+constexpr double kSeenShare = 0.3;  // of full evidence: the column shows the edge
 
 /// What lies on both sides of one boundary between rows.
 struct Boundary {
-  double step = 0;      // m, garment surface minus the other at the boundary
-  double garment_r = 0; // m, garment surface extrapolated to the boundary
+  double step = 0;       // m, garment surface minus the other at the boundary
+  double garment_r = 0;  // m, garment surface extrapolated to the boundary
   double contrast = 0;
-  bool drop = false;    // cloth on one side, nothing on the other
+  bool drop = false;  // cloth on one side, nothing on the other
+  double filled = 1;  // share of the garment's rows that hold data: all of them beside a drop
   bool valid = false;
 };
 
@@ -63,6 +64,9 @@ Boundary fit_boundary(const LimbMap& map, int boundary, int column, bool garment
   if (other.n < 3) {
     b.drop = other.n == 0;
     b.valid = b.drop;
+    const int next = garment_above ? boundary : boundary - 1;
+    const bool touches = next >= 0 && next < map.rows && map.has(next, column);
+    b.filled = (garment.n + (touches ? 1 : 0)) / (std::round(kWindow / map.step) + 1);
     const double slope = garment.spread() > 0 ? garment.covariance() / garment.spread() : 0;
     b.garment_r = (garment.y - slope * garment.x) / garment.n;
     return b;
@@ -71,23 +75,26 @@ Boundary fit_boundary(const LimbMap& map, int boundary, int column, bool garment
       (garment.covariance() + other.covariance()) / (garment.spread() + other.spread());
   b.garment_r = (garment.y - slope * garment.x) / garment.n;
   b.step = b.garment_r - (other.y - slope * other.x) / other.n;
-  if (!map.colour.empty()) b.contrast = (garment.colour / garment.n - other.colour / other.n).norm();
+  if (!map.colour.empty())
+    b.contrast = (garment.colour / garment.n - other.colour / other.n).norm();
   b.valid = true;
   return b;
 }
 
 double evidence(const Boundary& b, const EdgeSearch& search, bool coloured) {
   if (!b.valid) return 0;
-  if (b.drop) return kDropEvidence;
-  double step = std::clamp(b.step / search.cloth_step, -1.0, kMostEvidence);
+  if (b.drop) return kDropEvidence * b.filled;
+  // Beyond a cloth's thickness evidence grows ever more slowly, but grows: its peak is the edge.
+  double step = std::max(b.step / search.cloth_step, -1.0);
+  if (step > 1) step = 1 + (step - 1) / (step + 1) * (kMostEvidence - 1);
   if (b.step > search.most_step) step = kSeenShare;  // a hand beside the edge, not cloth on skin
   if (!coloured) return step;
-  return 0.5 * step + std::min(b.contrast / kFullContrast, kMostEvidence);
+  return 0.5 * step + kMostEvidence * b.contrast / (b.contrast + kFullContrast);
 }
 
 /// Best path from column `first` over `count` columns; with `anchor` >= 0 it starts and ends there.
-std::vector<int> best_path(const std::vector<double>& score, int rows, int columns, int first, int count,
-                           int anchor, int max_slope) {
+std::vector<int> best_path(const std::vector<double>& score, int rows, int columns, int first,
+                           int count, int anchor, int max_slope) {
   const auto at = [&](int k, int i) {
     return score[static_cast<std::size_t>((first + k) % columns) * static_cast<std::size_t>(rows) +
                  static_cast<std::size_t>(i)];
@@ -175,7 +182,8 @@ std::vector<double> two_waves(const std::vector<double>& s, const std::vector<bo
   Eigen::VectorXd trust = weight, curve = value;
   for (int round = 0; round < 8; ++round) {
     const Eigen::MatrixXd weighted = trust.asDiagonal() * waves;
-    const Eigen::VectorXd c = (waves.transpose() * weighted).ldlt().solve(weighted.transpose() * value);
+    const Eigen::VectorXd c =
+        (waves.transpose() * weighted).ldlt().solve(weighted.transpose() * value);
     curve = waves * c;
     for (Eigen::Index j = 0; j < n; ++j) {
       const double z = (value[j] - curve[j]) / kStray;
@@ -195,11 +203,13 @@ FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
   const int rows = high - low + 1;
   if (rows < 3) return edge;
   const bool coloured = !map.colour.empty();
-  std::vector<Boundary> boundary(static_cast<std::size_t>(rows) * static_cast<std::size_t>(map.columns));
+  std::vector<Boundary> boundary(static_cast<std::size_t>(rows) *
+                                 static_cast<std::size_t>(map.columns));
   std::vector<double> score(boundary.size());
   for (int j = 0; j < map.columns; ++j) {
     for (int i = 0; i < rows; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(i);
+      const std::size_t k = static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) +
+                            static_cast<std::size_t>(i);
       boundary[k] = fit_boundary(map, low + i, j, search.garment_above);
       score[k] = evidence(boundary[k], search, coloured);
       if (search.spread > 0 && !search.centre.empty()) {
@@ -221,7 +231,8 @@ FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
   int seen = 0;
   for (int j = 0; j < columns; ++j) {
     const auto at = [&](int i) -> std::size_t {
-      return static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(i);
+      return static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) +
+             static_cast<std::size_t>(i);
     };
     const Boundary& b = boundary[at(path[j])];
     double offset = 0;  // rows, top of the parabola through the neighbours
@@ -262,9 +273,7 @@ FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
   edge.typical_step = median(steps);
   edge.contrast = median(contrasts);
   const double dropped = median(drops);
-  edge.evidence = dropped > 0.5                         ? "drop"
-                  : edge.contrast > kFullContrast       ? "colour"
-                                                        : "step";
+  edge.evidence = dropped > 0.5 ? "drop" : edge.contrast > kFullContrast ? "colour" : "step";
   return edge;
 }
 

@@ -9,44 +9,44 @@ namespace regarment {
 
 /// Which edge is looked for on a limb's height field.
 struct EdgeSearch {
-  bool garment_above = true;         // the garment lies at larger s (a hem on the trunk) or smaller
-  double s_low = 0, s_high = 0;      // m, where the edge may be
-  std::vector<double> centre;        // m, per column: where it is expected; empty = nowhere special
-  double spread = 0;                 // m, how far from `centre` it still may well be (standard deviation)
-  double cloth_step = 0.004;         // m, step of cloth thickness that counts as fully convincing
-  double most_step = 1.0;            // m, a larger step is something else than this edge
-  double straightness = 0.0;         // m, the edge may stray this far from a curve of two waves round the
-                                     // limb (a tilt and an oval); 0: as far as it likes
-  int max_slope = 3;                 // rows the edge may move from one column to the next
+  bool garment_above = true;     // the garment lies at larger s (a hem on the trunk) or smaller
+  double s_low = 0, s_high = 0;  // m, where the edge may be
+  std::vector<double> centre;    // m, per column: where it is expected; empty = nowhere special
+  double spread = 0;          // m, how far from `centre` it still may well be (standard deviation)
+  double cloth_step = 0.004;  // m, step of cloth thickness that counts as fully convincing
+  double most_step = 1.0;     // m, a larger step is something else than this edge
+  double straightness = 0.0;  // m, the edge may stray this far from a curve of two waves round the
+                              // limb (a tilt and an oval); 0: as far as it likes
+  int max_slope = 3;          // rows the edge may move from one column to the next
 };
 
 /// A closed edge of a garment on a limb, one entry per column of the map.
 struct FoundEdge {
-  std::vector<double> s;         // m along the limb
-  std::vector<double> r;         // m, surface of the garment at the edge
-  std::vector<double> step;      // m, how far the garment stands off there; 0 where nothing is seen
-  std::vector<bool> seen;        // the scan shows the edge in this column
-  double coverage = 0;           // share of columns that show the edge
-  double typical_step = 0;       // m, median over the columns
-  double contrast = 0;           // median colour difference across the edge, 0..1.7
-  double standard_error = 0;     // m, of s after smoothing
-  double score = 0;              // mean evidence; 1 is a step of cloth thickness all the way round
-  std::string evidence;          // "step", "drop" or "colour": what showed most
+  std::vector<double> s;      // m along the limb
+  std::vector<double> r;      // m, surface of the garment at the edge
+  std::vector<double> step;   // m, how far the garment stands off there; 0 where nothing is seen
+  std::vector<bool> seen;     // the scan shows the edge in this column
+  double coverage = 0;        // share of columns that show the edge
+  double typical_step = 0;    // m, median over the columns
+  double contrast = 0;        // median colour difference across the edge, 0..1.7
+  double standard_error = 0;  // m, of s after smoothing
+  double score = 0;           // mean evidence; 1 is a step of cloth thickness all the way round
+  std::string evidence;       // "step", "drop" or "colour": what showed most
 
   bool found() const { return !s.empty(); }
 };
 
 /// Finds the closed loop round the limb that best separates cloth from what lies under it: for each
-/// boundary between rows a smooth surface with a step is fitted to the rows on both sides, colours are
-/// compared, and the loop of largest summed evidence is found by dynamic programming.
-/// Returns an edge with empty vectors when the range holds no data.
+/// boundary between rows a smooth surface with a step is fitted to the rows on both sides, colours
+/// are compared, and the loop of largest summed evidence is found by dynamic programming. Returns
+/// an edge with empty vectors when the range holds no data.
 FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search);
 
 /// Where a found edge lies in space, closed, one point per column.
 std::vector<Vec3> edge_points(const FoundEdge& edge, const LimbMap& map, const LimbAxis& axis);
 
-/// Length of a closed curve, m, after smoothing over `half_width` points on both sides so that noise does not
-/// lengthen it.
+/// Length of a closed curve, m, after smoothing over `half_width` points on both sides so that
+/// noise does not lengthen it.
 double closed_length(const std::vector<Vec3>& points, int half_width = 1);
 
 }  // namespace regarment

@@ -15,16 +15,17 @@ constexpr double kSaidReach = 0.03;    // m about a height that a person gave
 constexpr double kBridge = 1.2;        // radians of missing surface bridged for pieces cut off
 constexpr double kLooseReach = 0.03;   // m from that surface at which a loose piece belongs to it
 constexpr double kWaistStray = 0.012;  // m, a waist is cut straight
-constexpr double kFacing = 0.5;        // caps and bulges that close a hem face down, cloth faces out
-constexpr double kArmReach = 0.16;     // m, samples further from an arm's axis are torso
-constexpr double kLeastCoverage = 0.8; // of the loop where a person's own shape shows no edge
+constexpr double kFacing = 0.5;     // caps and bulges that close a hem face down, cloth faces out
+constexpr double kArmReach = 0.16;  // m, samples further from an arm's axis are torso
+constexpr double kLeastCoverage = 0.8;  // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
 constexpr double kFurtherGain = 0.3;   // of evidence that a cuff beyond must have more
 constexpr double kRivalShare = 0.7;    // of the best edge's score that makes another edge a rival
 
-std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken, bool want_taken) {
+std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken,
+                               bool want_taken) {
   std::vector<int> members;
   for (std::size_t s = 0; s < body.part.size(); ++s)
     if (body.part[s] == BodyPart::Trunk && (!taken.empty() && taken[s] != 0) == want_taken)
@@ -46,8 +47,8 @@ std::vector<int> arm_members(const SurfaceSamples& samples, const Body& body, co
     if (!taken.empty() && taken[s] != 0) continue;
     const Vec3& p = samples.positions[s];
     const bool arm = body.part[s] == (side == 0 ? BodyPart::LeftArm : BodyPart::RightArm);
-    if (!arm && (body.part[s] != BodyPart::Trunk ||
-                 sign * (p.x() - armpit.x()) < -0.12 || p.y() < armpit.y() - 0.03))
+    if (!arm && (body.part[s] != BodyPart::Trunk || sign * (p.x() - armpit.x()) < -0.12 ||
+                 p.y() < armpit.y() - 0.03))
       continue;
     Vec3 d = p - armpit;
     d.z() = 0;
@@ -60,12 +61,14 @@ std::vector<int> arm_members(const SurfaceSamples& samples, const Body& body, co
 /// Is the edge at the bottom of the garment (larger t than the garment's middle)?
 bool at_bottom(const Pattern& pattern, const PatternEdge& edge) {
   double mean = 0, low = 1e9, high = -1e9;
-  for (int v : edge.vertices) mean += pattern.flat[v].y() / static_cast<double>(edge.vertices.size());
+  for (int v : edge.vertices)
+    mean += pattern.flat[v].y() / static_cast<double>(edge.vertices.size());
   for (const Vec2& p : pattern.flat) low = std::min(low, p.y()), high = std::max(high, p.y());
   return mean > 0.5 * (low + high);
 }
 
-/// The best edge in a range, or a rival nearly as good that lies beyond it in the direction preferred.
+/// The best edge in a range, or a rival nearly as good that lies beyond it in the direction
+/// preferred.
 FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_higher) {
   FoundEdge best = find_edge(map, search);
   const double wanted = kRivalShare * best.score;
@@ -102,8 +105,10 @@ double covered_share(const LimbView& view, const LimbMap& taken, const GarmentEd
 
 std::string describe(const std::string& name, const FoundEdge& edge) {
   char text[160];
-  std::snprintf(text, sizeof text, "its %s shows on %.0f %% of the loop with %.0f %% of the evidence of a cloth's edge",
-                name.c_str(), 100 * edge.coverage, 100 * std::max(0.0, edge.score));
+  std::snprintf(
+      text, sizeof text,
+      "its %s shows on %.0f %% of the loop with %.0f %% of the evidence of a cloth's edge",
+      name.c_str(), 100 * edge.coverage, 100 * std::max(0.0, edge.score));
   return edge.found() ? text : "no data where its " + name + " would be";
 }
 
@@ -131,8 +136,10 @@ void Finder::missing(const std::string& name, const FoundEdge& edge) const {
 void Finder::add_limbs() {
   const LimbAxis trunk = trunk_axis(body);
   std::vector<int> members = trunk_members(body, taken, false);
-  LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
-  // Holes in the scan cut pieces of cloth off: what lies on the surface between their neighbours joins.
+  LimbMap map =
+      make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
+  // Holes in the scan cut pieces of cloth off: what lies on the surface between their neighbours
+  // joins.
   const LimbView whole{trunk, map, {}};
   const std::size_t before = members.size();
   for (std::size_t s = 0; s < samples.size(); ++s)
@@ -140,7 +147,8 @@ void Finder::add_limbs() {
         beside_torso(whole, samples.positions[s]))
       members.push_back(static_cast<int>(s));
   if (members.size() > before)
-    map = make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
+    map =
+        make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
   out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
   for (const std::string& limb : pattern.panel_limbs)
     out.upper_body = out.upper_body || limb != "torso";
@@ -150,7 +158,8 @@ void Finder::add_limbs() {
     const LimbAxis axis = arm_axis(body, side);
     members = arm_members(samples, body, axis, side, taken);
     map = make_limb_map(samples, members, axis, -0.12, axis.s_max(), kArmStep, kArmColumns);
-    out.limbs.emplace(side == 0 ? "left_arm" : "right_arm", LimbView{axis, std::move(map), std::move(members)});
+    out.limbs.emplace(side == 0 ? "left_arm" : "right_arm",
+                      LimbView{axis, std::move(map), std::move(members)});
   }
   const LimbAxis neck = neck_axis(body);
   members.clear();
@@ -287,16 +296,23 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
   double best_cuff = -1;
   const FoundEdge* cuff = nullptr;
   for (const PatternEdge& edge : pattern.edges) {
-    if (edge.limb == "torso") finder.find_on_torso(edge);
-    else if (edge.limb == "neck") finder.find_on_neck(edge);
-    else finder.find_on_arm(edge);
+    if (edge.limb == "torso")
+      finder.find_on_torso(edge);
+    else if (edge.limb == "neck")
+      finder.find_on_neck(edge);
+    else
+      finder.find_on_arm(edge);
     const auto it = finder.out.edges.find(edge.name);
     if (it == finder.out.edges.end() || edge.limb == "torso" || edge.limb == "neck") continue;
-    if (it->second.found.coverage < kLeastCoverage || it->second.found.score < kLeastScore) continue;
-    if (it->second.found.score > best_cuff) best_cuff = it->second.found.score, cuff = &it->second.found;
+    if (it->second.found.coverage < kLeastCoverage || it->second.found.score < kLeastScore)
+      continue;
+    if (it->second.found.score > best_cuff)
+      best_cuff = it->second.found.score, cuff = &it->second.found;
   }
   if (finder.out.upper_body && cuff == nullptr)
-    throw NoGarmentError("no " + title + " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
+    throw NoGarmentError(
+        "no " + title +
+        " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
   return std::move(finder.out);
 }
 

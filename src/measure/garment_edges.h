@@ -11,10 +11,11 @@ namespace regarment {
 
 /// A named edge of a garment on the scan.
 struct GarmentEdge {
-  std::string limb;            // "torso", "left_arm", "right_arm", "neck"
-  bool garment_above = true;   // the garment lies at larger s of the limb's axis
+  std::string limb;           // "torso", "left_arm", "right_arm", "neck"
+  bool garment_above = true;  // the garment lies at larger s of the limb's axis
   FoundEdge found;
-  bool covered = false;        // hidden by a garment that was taken off before: this is where it is cut off
+  bool covered =
+      false;  // hidden by a garment that was taken off before: this is where it is cut off
 };
 
 /// The edges of one garment on a scan.
@@ -28,11 +29,12 @@ struct GarmentEdges {
 bool beside_torso(const LimbView& torso, const Vec3& p);
 
 /// Looks for all open edges of a garment on the body. `taken` marks samples that belong to garments
-/// found before (one per sample, or empty): they are not looked at, and an edge that ends at them is
-/// covered. `pattern` is the garment at any dimensions: it tells which edges there are.
-/// `said`: heights above the floor (m) of edges round the trunk that a person gave: such an edge is looked
+/// found before (one per sample, or empty): they are not looked at, and an edge that ends at them
+/// is covered. `pattern` is the garment at any dimensions: it tells which edges there are. `said`:
+/// heights above the floor (m) of edges round the trunk that a person gave: such an edge is looked
 /// for within 3 cm of its height and taken from there in any case.
-/// Throws NoGarmentError with the evidence when the edges the garment cannot do without are missing.
+/// Throws NoGarmentError with the evidence when the edges the garment cannot do without are
+/// missing.
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
                                 const std::vector<std::uint8_t>& taken,

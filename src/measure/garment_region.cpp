@@ -7,9 +7,11 @@
 namespace regarment {
 namespace {
 
-constexpr double kOutside = -0.5;      // m, for points that are nowhere near the garment
-constexpr double kUnder = 0.07;        // m (deeper than folds) below the outer surface: a leg under a skirt
-constexpr double kCoveredReach = 0.06; // m beyond where another garment hides an edge: its own hem waves
+constexpr double kOutside = -0.5;  // m, for points that are nowhere near the garment
+constexpr double kUnder =
+    0.07;  // m (deeper than folds) below the outer surface: a leg under a skirt
+constexpr double kCoveredReach =
+    0.06;  // m beyond where another garment hides an edge: its own hem waves
 
 int column_of(const LimbMap& map, double phi) {
   constexpr double kPi = std::numbers::pi;
@@ -64,10 +66,14 @@ double GarmentRegion::depth_on_arm(const Vec3& p, int side) const {
 
 double GarmentRegion::depth(const Vec3& p, BodyPart part) const {
   switch (part) {
-    case BodyPart::LeftArm: return depth_on_arm(p, 0);
-    case BodyPart::RightArm: return depth_on_arm(p, 1);
-    case BodyPart::Trunk: return depth_on_torso(p);
-    case BodyPart::Loose: return beside_torso(edges_.limbs.at("torso"), p) ? depth_on_torso(p) : kOutside;
+    case BodyPart::LeftArm:
+      return depth_on_arm(p, 0);
+    case BodyPart::RightArm:
+      return depth_on_arm(p, 1);
+    case BodyPart::Trunk:
+      return depth_on_torso(p);
+    case BodyPart::Loose:
+      return beside_torso(edges_.limbs.at("torso"), p) ? depth_on_torso(p) : kOutside;
   }
   return kOutside;
 }

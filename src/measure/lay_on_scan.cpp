@@ -10,10 +10,11 @@
 namespace regarment {
 namespace {
 
-constexpr int kCandidates = 6;        // nearest samples looked at for one of similar normal
-constexpr double kSimilar = 0.3;      // cosine between normals (paper, sec. 3.4)
-constexpr int kSweeps = 3;            // of straightening per round
-constexpr double kSpringShare = 0.35; // of a spring's error taken away per sweep when it is too long
+constexpr int kCandidates = 6;    // nearest samples looked at for one of similar normal
+constexpr double kSimilar = 0.3;  // cosine between normals (paper, sec. 3.4)
+constexpr int kSweeps = 3;        // of straightening per round
+constexpr double kSpringShare =
+    0.35;  // of a spring's error taken away per sweep when it is too long
 constexpr double kSlackShare = 0.05;  // the same when it is too short: cloth may fold
 constexpr double kPull = 0.6;         // share of the way to the scan per round
 constexpr double kEdgePull = 0.5;     // share of the way to an edge's curve per round
@@ -30,7 +31,8 @@ Cloth cloth_samples(const SurfaceSamples& samples, const std::vector<std::uint8_
     if (!cloth[s]) continue;
     const Vec3 c = (samples.positions[s] / kThinning).array().floor();
     cells.push_back({{static_cast<std::int64_t>(c.x()), static_cast<std::int64_t>(c.y()),
-                      static_cast<std::int64_t>(c.z())}, s});
+                      static_cast<std::int64_t>(c.z())},
+                     s});
   }
   std::sort(cells.begin(), cells.end());
   Cloth out;
@@ -86,7 +88,8 @@ Vec3 nearest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
 }  // namespace
 
 void LayOptions::check() const {
-  if (rounds < 0 || rounds > 10000) throw InvalidInput("LayOptions: rounds must lie between 0 and 10000");
+  if (rounds < 0 || rounds > 10000)
+    throw InvalidInput("LayOptions: rounds must lie between 0 and 10000");
   if (!(reach > 0)) throw InvalidInput("LayOptions: reach must be positive");
 }
 

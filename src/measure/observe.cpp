@@ -17,9 +17,10 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kGirthShare = 0.012, kPathShare = 0.01, kLeastDeviation = 0.004;
 constexpr double kTiltError = 1.5;  // m of girth for a metre of height of the waist (design notes)
 
-constexpr double kSteepest = 3.5;       // m of girth per m, a full circle skirt has 2 pi
-constexpr double kHalfSlice = 0.004;    // m, half the thickness of a slice that is outlined
-constexpr double kWidestSlice = 0.6;    // m from its centre
+constexpr double kSteepest = 3.5;     // m of girth per m, a full circle skirt has 2 pi
+constexpr double kWaving = 1.5;       // m of doubt in a girth per m that its edge waves up and down
+constexpr double kHalfSlice = 0.004;  // m, half the thickness of a slice that is outlined
+constexpr double kWidestSlice = 0.6;  // m from its centre
 
 /// The plane an edge lies in, nearly.
 struct EdgePlane {
@@ -64,17 +65,19 @@ Vec3 Observer::edge_point(const GarmentEdge& e, double phi) const {
   return view.axis.point({e.found.s[j], view.map.column_phi(j), e.found.r[j]});
 }
 
-/// Outline of the garment at a distance inside from the plane through an edge, m; 0 when too much is
-/// missing. `plane` spans the slice: centre, two directions.
+/// Outline of the garment at a distance inside from the plane through an edge, m; 0 when too much
+/// is missing. `plane` spans the slice: centre, two directions.
 double Observer::slice_girth(const GarmentEdge& e, const EdgePlane& plane, double inside) const {
   const LimbView& view = limb(e);
   const Vec3 towards = e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0)
-                           ? plane.normal : Vec3(-plane.normal);
+                           ? plane.normal
+                           : Vec3(-plane.normal);
   std::vector<Vec2> points;
   for (int m : view.members) {
     if (!cloth[m]) continue;
     const Vec3 d = samples.positions[m] - plane.centre;
-    if (std::abs(d.dot(towards) - inside) < kHalfSlice && d.squaredNorm() < kWidestSlice * kWidestSlice)
+    if (std::abs(d.dot(towards) - inside) < kHalfSlice &&
+        d.squaredNorm() < kWidestSlice * kWidestSlice)
       points.emplace_back(d.dot(plane.a), d.dot(plane.b));
   }
   double bridged = 0;
@@ -92,13 +95,15 @@ EdgePlane Observer::plane_of(const GarmentEdge& e) const {
     // A cuff is as plane as the cloth's edge; the torso's edges are cut level.
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
     for (const Vec3& p : points) scatter += (p - plane.centre) * (p - plane.centre).transpose();
-    const Vec3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+    const Vec3 normal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
     plane.normal = normal.dot(plane.normal) < 0 ? Vec3(-normal) : normal;
   }
   plane.a = plane.normal.unitOrthogonal();
   plane.b = plane.normal.cross(plane.a);
   // Mean and reach of the edge across its plane: slices begin where the whole loop is cloth.
-  const double sign = e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0) ? 1.0 : -1.0;
+  const double sign =
+      e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0) ? 1.0 : -1.0;
   std::vector<double> height;
   for (const Vec3& p : points) height.push_back(sign * (p - plane.centre).dot(plane.normal));
   std::sort(height.begin(), height.end());
@@ -146,8 +151,11 @@ ObservedLength Observer::girth(const Observation& o) const {
   }
   if (slices.size() < 2) return out;
   out.value = torso ? value_at_edge(slices) : median_length(slices);
-  out.standard_deviation = std::hypot(kGirthShare * out.value, kTiltError * e->found.standard_error) +
-                           kLeastDeviation + 0.05 * (1 - e->found.coverage) * out.value;
+  out.standard_deviation =
+      std::hypot(kGirthShare * out.value, kTiltError * e->found.standard_error) + kLeastDeviation +
+      0.05 * (1 - e->found.coverage) * out.value;
+  // A hem that waves is longer than the level slices above it tell.
+  out.standard_deviation += kWaving * plane.reach;
   if (!torso) out.standard_deviation += 0.02;  // the lower side of a sleeve often touches the torso
   out.seen = true;
   return out;
@@ -229,14 +237,17 @@ ObservedLength Observer::path(const Observation& o) const {
     for (const double side : {0.5 * kPi, -0.5 * kPi}) {
       const Vec3 shoulder = edge_point(*from, side);
       const double low = *std::min_element(to->found.s.begin(), to->found.s.end());
-      const Vec3 centre(shoulder.x(), 0.5 * (shoulder.y() + low), torso.axis.point({0.5 * (shoulder.y() + low), 0, 0}).z());
-      const Section section = cut_section(samples, on_cloth(torso.members), centre, Vec3::UnitY(), Vec3::UnitZ(), 0.008, 240);
+      const Vec3 centre(shoulder.x(), 0.5 * (shoulder.y() + low),
+                        torso.axis.point({0.5 * (shoulder.y() + low), 0, 0}).z());
+      const Section section = cut_section(samples, on_cloth(torso.members), centre, Vec3::UnitY(),
+                                          Vec3::UnitZ(), 0.008, 240);
       for (const double z : {1.0, -1.0}) {
         // The hem where this plane meets it, in front and behind.
         double best = 1e9;
         Vec3 hem = centre;
         for (int j = 0; j < torso.map.columns; ++j) {
-          const Vec3 p = torso.axis.point({to->found.s[j], torso.map.column_phi(j), to->found.r[j]});
+          const Vec3 p =
+              torso.axis.point({to->found.s[j], torso.map.column_phi(j), to->found.r[j]});
           if (z * (p.z() - centre.z()) < 0 || std::abs(p.x() - centre.x()) >= best) continue;
           best = std::abs(p.x() - centre.x());
           hem = p;
@@ -267,7 +278,8 @@ ObservedLength Observer::path(const Observation& o) const {
   out.value = sum / n;
   out.standard_deviation = kPathShare * out.value + kLeastDeviation +
                            std::hypot(from->found.standard_error, to->found.standard_error);
-  if (o.side != "centre") out.standard_deviation += 0.012;  // where neck and shoulder meet is hard to see
+  if (o.side != "centre")
+    out.standard_deviation += 0.012;  // where neck and shoulder meet is hard to see
   out.seen = true;
   return out;
 }
@@ -279,13 +291,15 @@ ObservedLength Observer::fork(const Observation& o) const {
   const int side = cuff->limb == "left_arm" ? 0 : 1;
   if (body.armpit[side] <= 0) return out;
   const LimbView& view = limb(*cuff);
-  const LimbPoint armpit = view.axis.locate(Vec3(body.armpit_x[side], body.armpit[side], view.axis.point({0, 0, 0}).z()));
+  const LimbPoint armpit = view.axis.locate(
+      Vec3(body.armpit_x[side], body.armpit[side], view.axis.point({0, 0, 0}).z()));
   // A section through the armpit, leaning inwards at the top as an armhole does.
   const Vec3 bottom = view.axis.point({armpit.s, kPi, armpit.r});
   const Vec3 top = view.axis.point({armpit.s - 0.06, 0.0, 0.08});
   const Vec3 up = (top - bottom).normalized();
   const Vec3 across = view.axis.radial(armpit.s, 0.5 * kPi);
-  const Section section = cut_section(samples, on_cloth(view.members), 0.5 * (top + bottom), up, across, 0.008, 90);
+  const Section section =
+      cut_section(samples, on_cloth(view.members), 0.5 * (top + bottom), up, across, 0.008, 90);
   std::vector<Vec3> curve;
   for (int bin = 0; bin < 90; ++bin)
     if (std::isfinite(section.r[bin])) curve.push_back(section.point(bin));
@@ -299,16 +313,25 @@ ObservedLength Observer::fork(const Observation& o) const {
 }  // namespace
 
 std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
-                                    const GarmentEdges& edges, const std::vector<std::uint8_t>& cloth,
+                                    const GarmentEdges& edges,
+                                    const std::vector<std::uint8_t>& cloth,
                                     const GarmentTemplate& garment) {
   const Observer observer{samples, body, edges, cloth};
   std::vector<ObservedLength> out;
   for (const Observation& o : garment.observations()) {
     switch (o.kind) {
-      case Observation::Kind::Girth: out.push_back(observer.girth(o)); break;
-      case Observation::Kind::GirthAtOffset: out.push_back(observer.girth_at_offset(o)); break;
-      case Observation::Kind::Path: out.push_back(observer.path(o)); break;
-      case Observation::Kind::Fork: out.push_back(observer.fork(o)); break;
+      case Observation::Kind::Girth:
+        out.push_back(observer.girth(o));
+        break;
+      case Observation::Kind::GirthAtOffset:
+        out.push_back(observer.girth_at_offset(o));
+        break;
+      case Observation::Kind::Path:
+        out.push_back(observer.path(o));
+        break;
+      case Observation::Kind::Fork:
+        out.push_back(observer.fork(o));
+        break;
     }
   }
   return out;

@@ -16,21 +16,23 @@ struct ObservedLength {
   bool seen = false;              // false: the scan does not show it
 };
 
-/// Measures what the template says can be seen, on the garment between the edges found. `cloth` marks the
-/// samples on the garment, one per sample. One entry per observation of the template, in its order.
+/// Measures what the template says can be seen, on the garment between the edges found. `cloth`
+/// marks the samples on the garment, one per sample. One entry per observation of the template, in
+/// its order.
 std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& body,
-                                    const GarmentEdges& edges, const std::vector<std::uint8_t>& cloth,
+                                    const GarmentEdges& edges,
+                                    const std::vector<std::uint8_t>& cloth,
                                     const GarmentTemplate& garment);
 
-/// The dimensions that explain the observed lengths best (weighted least squares by Gauss-Newton from
-/// the typical ones, within the bounds), with their standard deviations. A dimension that no seen
-/// observation depends on keeps its typical value and is not observable.
+/// The dimensions that explain the observed lengths best (weighted least squares by Gauss-Newton
+/// from the typical ones, within the bounds), with their standard deviations. A dimension that no
+/// seen observation depends on keeps its typical value and is not observable.
 struct SolvedDimension {
   double value = 0;               // m
   double standard_deviation = 0;  // m
   bool observable = false;
 };
-std::map<std::string, SolvedDimension> solve_dimensions(const GarmentTemplate& garment,
-                                                        const std::vector<ObservedLength>& observed);
+std::map<std::string, SolvedDimension> solve_dimensions(
+    const GarmentTemplate& garment, const std::vector<ObservedLength>& observed);
 
 }  // namespace regarment

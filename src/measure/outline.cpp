@@ -10,9 +10,10 @@ namespace regarment {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kCell = 0.002;        // m, of the distance field
-constexpr double kAverage = 0.004;     // m, points this close are averaged: noise makes outlines longer
-constexpr double kLargest = 3.0;       // m, a larger slice is no garment
+constexpr double kCell = 0.002;  // m, of the distance field
+constexpr double kAverage =
+    0.004;                        // m, points this close are averaged: noise makes outlines longer
+constexpr double kLargest = 3.0;  // m, a larger slice is no garment
 constexpr double kBridgeSpacing = 0.003;
 
 /// Points by cells of `size`, for neighbourhoods no wider than that.
@@ -27,7 +28,8 @@ class Buckets {
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     order_.resize(points.size());
     std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < points.size(); ++i) order_[next[cell(points[i])]++] = static_cast<int>(i);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      order_[next[cell(points[i])]++] = static_cast<int>(i);
   }
   template <typename Visit>
   void near(const Vec2& p, Visit visit) const {
@@ -35,7 +37,8 @@ class Buckets {
     const int cy = static_cast<int>(std::floor((p.y() - low_.y()) / size_));
     for (int y = std::max(0, cy - 1); y <= std::min(ny_ - 1, cy + 1); ++y)
       for (int x = std::max(0, cx - 1); x <= std::min(nx_ - 1, cx + 1); ++x) {
-        const std::size_t c = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
+        const std::size_t c = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
+                              static_cast<std::size_t>(x);
         for (int k = first_[c]; k < first_[c + 1]; ++k) visit(points_[order_[k]]);
       }
   }
@@ -44,7 +47,8 @@ class Buckets {
   std::size_t cell(const Vec2& p) const {
     const int x = std::clamp(static_cast<int>((p.x() - low_.x()) / size_), 0, nx_ - 1);
     const int y = std::clamp(static_cast<int>((p.y() - low_.y()) / size_), 0, ny_ - 1);
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
+           static_cast<std::size_t>(x);
   }
   const std::vector<Vec2>& points_;
   Vec2 low_;
@@ -87,7 +91,8 @@ double bridge_gaps(std::vector<Vec2>& points, const Vec2& centre, double reach) 
   std::array<Vec2, kBins> outer;
   for (const Vec2& p : points) {
     const Vec2 d = p - centre;
-    const int bin = std::clamp(static_cast<int>((std::atan2(d.y(), d.x()) + kPi) / (2 * kPi) * kBins), 0, kBins - 1);
+    const int bin = std::clamp(
+        static_cast<int>((std::atan2(d.y(), d.x()) + kPi) / (2 * kPi) * kBins), 0, kBins - 1);
     if (d.norm() > most[bin]) most[bin] = d.norm(), outer[bin] = p;
   }
   std::vector<Vec2> ring;
@@ -110,8 +115,8 @@ double bridge_gaps(std::vector<Vec2>& points, const Vec2& centre, double reach) 
 
 struct Field {
   int nx = 0, ny = 0;
-  std::vector<float> distance;       // at grid points, capped at 2 reach
-  std::vector<std::uint8_t> outside; // 1: reached from the border at distance > reach
+  std::vector<float> distance;        // at grid points, capped at 2 reach
+  std::vector<std::uint8_t> outside;  // 1: reached from the border at distance > reach
 
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
@@ -125,7 +130,8 @@ Field distance_field(const std::vector<Vec2>& points, double reach) {
   Field f;
   f.nx = static_cast<int>((box.high.x() - box.low.x()) / kCell) + 2;
   f.ny = static_cast<int>((box.high.y() - box.low.y()) / kCell) + 2;
-  f.distance.assign(static_cast<std::size_t>(f.nx) * static_cast<std::size_t>(f.ny), static_cast<float>(far));
+  f.distance.assign(static_cast<std::size_t>(f.nx) * static_cast<std::size_t>(f.ny),
+                    static_cast<float>(far));
   const int r = static_cast<int>(far / kCell);
   for (const Vec2& p : points) {
     const int cx = static_cast<int>((p.x() - box.low.x()) / kCell);
@@ -160,7 +166,8 @@ double contour_length(const Field& f, double reach) {
   double length = 0;
   for (int y = 0; y + 1 < f.ny; ++y) {
     for (int x = 0; x + 1 < f.nx; ++x) {
-      const std::array<std::pair<int, int>, 4> corner{{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
+      const std::array<std::pair<int, int>, 4> corner{
+          {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
       std::array<Vec2, 4> crossing;
       int n = 0;
       bool touches = false;

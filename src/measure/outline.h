@@ -6,14 +6,14 @@
 
 namespace regarment {
 
-/// Length of the outer outline of a slice, given as points of its plane (m), folds included: what a tape
-/// laid along the cloth reads. Works on outlines that a ray meets several times.
+/// Length of the outer outline of a slice, given as points of its plane (m), folds included: what a
+/// tape laid along the cloth reads. Works on outlines that a ray meets several times.
 ///
-/// The points are averaged over 4 mm; the curve at distance `reach` round them that can be reached from
-/// outside is measured, and 2 pi `reach` is taken off, which is exact for closed curves without
-/// hollows narrower than 2 `reach`. Gaps seen from `centre` wider than `reach` are bridged straight.
-/// `bridged`, when given, receives the share of the length that bridges make up.
-/// Returns 0 for fewer than 12 points.
+/// The points are averaged over 4 mm; the curve at distance `reach` round them that can be reached
+/// from outside is measured, and 2 pi `reach` is taken off, which is exact for closed curves
+/// without hollows narrower than 2 `reach`. Gaps seen from `centre` wider than `reach` are bridged
+/// straight. `bridged`, when given, receives the share of the length that bridges make up. Returns
+/// 0 for fewer than 12 points.
 double outline_length(const std::vector<Vec2>& points, const Vec2& centre, double reach = 0.006,
                       double* bridged = nullptr);
 

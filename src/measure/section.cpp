@@ -10,8 +10,8 @@ namespace regarment {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLayer = 0.008;   // m below the outermost sample of a bin that still counts
-constexpr double kNearest = 0.002; // m from an edge: closer, a mesh rounds it off
+constexpr double kLayer = 0.008;    // m below the outermost sample of a bin that still counts
+constexpr double kNearest = 0.002;  // m from an edge: closer, a mesh rounds it off
 constexpr double kFurthest = 0.012;
 
 struct BinnedRadius {
@@ -102,7 +102,8 @@ std::vector<Vec3> curve_beside_edge(const SurfaceSamples& samples, const std::ve
   BinnedRadius binned(bins);
   for (int m : members) {
     const LimbPoint p = axis.locate(samples.positions[m]);
-    const int column = std::min(static_cast<int>((p.phi + kPi) / (2 * kPi) * map.columns), map.columns - 1);
+    const int column =
+        std::min(static_cast<int>((p.phi + kPi) / (2 * kPi) * map.columns), map.columns - 1);
     const double inside = garment_above ? p.s - edge.s[column] : edge.s[column] - p.s;
     if (inside < kNearest || inside > kFurthest) continue;
     if (p.r > edge.r[column] + 0.08) continue;  // another limb behind this one

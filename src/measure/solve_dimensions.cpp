@@ -7,14 +7,14 @@
 namespace regarment {
 namespace {
 
-constexpr double kDifference = 1e-6;      // m, for the slopes of the formulas
-constexpr double kWeakPrior = 0.5;        // m, keeps dimensions that nothing depends on where they are
+constexpr double kDifference = 1e-6;  // m, for the slopes of the formulas
+constexpr double kWeakPrior = 0.5;    // m, keeps dimensions that nothing depends on where they are
 constexpr double kTightCurvature = 1e-9;  // of a direction the observations say something about
 
 }  // namespace
 
-std::map<std::string, SolvedDimension> solve_dimensions(const GarmentTemplate& garment,
-                                                        const std::vector<ObservedLength>& observed) {
+std::map<std::string, SolvedDimension> solve_dimensions(
+    const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
   const std::vector<Dimension>& names = garment.dimensions();
   const auto n = static_cast<Eigen::Index>(names.size());
   Dimensions at = garment.typical();

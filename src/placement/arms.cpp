@@ -10,14 +10,14 @@
 namespace regarment {
 namespace {
 
-constexpr double kVoxel = 0.02;     // m
-constexpr double kStep = 0.03;      // m along the arm between points of its axis
+constexpr double kVoxel = 0.02;         // m
+constexpr double kStep = 0.03;          // m along the arm between points of its axis
 constexpr double kObliqueRoot = 0.06;   // m of axis next to the trunk that are not trusted
 constexpr double kUpperArm = 0.12;      // m of axis beyond that are taken as straight
 constexpr double kSlab = 0.015;         // m, half the thickness of a slab across the arm
 constexpr double kThickestArm = 0.13;   // m from the axis
-constexpr double kIntoShoulder = 0.15;   // m the axis is continued into the trunk
-constexpr double kShortest = 0.15;  // m an arm must reach beyond the trunk
+constexpr double kIntoShoulder = 0.15;  // m the axis is continued into the trunk
+constexpr double kShortest = 0.15;      // m an arm must reach beyond the trunk
 
 struct Voxels {
   std::unordered_map<std::uint64_t, int> index;
@@ -27,7 +27,8 @@ struct Voxels {
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     constexpr std::int64_t kOffset = 1 << 20;
     return (static_cast<std::uint64_t>(x + kOffset) << 42) |
-           (static_cast<std::uint64_t>(y + kOffset) << 21) | static_cast<std::uint64_t>(z + kOffset);
+           (static_cast<std::uint64_t>(y + kOffset) << 21) |
+           static_cast<std::uint64_t>(z + kOffset);
   }
   static std::array<std::int64_t, 3> cell(const Vec3& p) {
     return {static_cast<std::int64_t>(std::floor(p.x() / kVoxel)),
@@ -36,11 +37,13 @@ struct Voxels {
   }
   void add(const Vec3& p, int sample) {
     const auto c = cell(p);
-    const auto [it, fresh] = index.try_emplace(key(c[0], c[1], c[2]), static_cast<int>(samples.size()));
+    const auto [it, fresh] =
+        index.try_emplace(key(c[0], c[1], c[2]), static_cast<int>(samples.size()));
     if (fresh) {
       samples.emplace_back();
-      centre.push_back(kVoxel * (Eigen::Matrix<std::int64_t, 3, 1>(c[0], c[1], c[2]).cast<double>() +
-                                 Vec3::Constant(0.5)));
+      centre.push_back(kVoxel *
+                       (Eigen::Matrix<std::int64_t, 3, 1>(c[0], c[1], c[2]).cast<double>() +
+                        Vec3::Constant(0.5)));
     }
     samples[it->second].push_back(sample);
   }
@@ -78,8 +81,8 @@ std::vector<int> components(const Voxels& voxels, int& count) {
 }
 
 /// Shortest way over the voxels from those within `reach` of the plane x = armpit_x, m.
-std::vector<double> distance_from_trunk(const Voxels& voxels, const std::vector<int>& label, int which,
-                                        const Body& body, int side) {
+std::vector<double> distance_from_trunk(const Voxels& voxels, const std::vector<int>& label,
+                                        int which, const Body& body, int side) {
   std::vector<double> distance(label.size(), 1e9);
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -112,12 +115,14 @@ std::vector<double> distance_from_trunk(const Voxels& voxels, const std::vector<
 /// upper arm beyond is a better axis there. It is continued a little into the shoulder.
 void straighten_root(std::vector<Vec3>& points) {
   const std::size_t first = static_cast<std::size_t>(std::lround(kObliqueRoot / kStep));
-  const std::size_t last = std::min(points.size(), first + static_cast<std::size_t>(std::lround(kUpperArm / kStep)));
+  const std::size_t last =
+      std::min(points.size(), first + static_cast<std::size_t>(std::lround(kUpperArm / kStep)));
   if (last < first + 3) return;
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = first; i < last; ++i) mean += points[i];
   mean /= static_cast<double>(last - first);
-  const Vec3 along = (points[last - 1] + points[last - 2] - points[first] - points[first + 1]).normalized();
+  const Vec3 along =
+      (points[last - 1] + points[last - 2] - points[first] - points[first + 1]).normalized();
   const double first_s = (points[first] - mean).dot(along);
   std::vector<Vec3> out;
   const int added = static_cast<int>(std::lround((kObliqueRoot + kIntoShoulder) / kStep));
@@ -163,7 +168,8 @@ void recentre(const SurfaceSamples& samples, const std::vector<int>& members,
     std::sort(u.begin(), u.end());
     std::sort(v.begin(), v.end());
     const std::size_t cut = u.size() / 25;
-    moved[i] += 0.5 * (u[cut] + u[u.size() - 1 - cut]) * a + 0.5 * (v[cut] + v[v.size() - 1 - cut]) * b;
+    moved[i] +=
+        0.5 * (u[cut] + u[u.size() - 1 - cut]) * a + 0.5 * (v[cut] + v[v.size() - 1 - cut]) * b;
   }
   points = moved;
 }

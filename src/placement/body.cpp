@@ -51,7 +51,8 @@ void find_neck(Body& body) {
   body.shoulder = body.neck;
   for (int i = narrowest; i > index(0.6); --i) {
     body.shoulder = body.trunk[i].y;
-    if (body.trunk[i].present && width_of(body.trunk[i]) > 1.6 * width_of(body.trunk[narrowest])) break;
+    if (body.trunk[i].present && width_of(body.trunk[i]) > 1.6 * width_of(body.trunk[narrowest]))
+      break;
   }
 }
 

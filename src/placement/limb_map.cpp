@@ -12,8 +12,10 @@ namespace regarment {
 namespace {
 
 constexpr double kPolarRadius = 0.15;  // m that stand for one radian from straight up
-constexpr double kBelowNeck = 0.16;    // m from the narrowest level of the neck down to the rays' centre
-constexpr double kLayer = 0.006;  // m: samples this far below the outermost one still count as outer
+constexpr double kBelowNeck =
+    0.16;  // m from the narrowest level of the neck down to the rays' centre
+constexpr double kLayer =
+    0.006;  // m: samples this far below the outermost one still count as outer
 
 Vec3 perpendicular(const Vec3& v, const Vec3& axis) {
   const Vec3 p = v - v.dot(axis) * axis;
@@ -54,7 +56,8 @@ LimbPoint LimbAxis::locate(const Vec3& p) const {
     const Vec3 d = p - points_[0];
     const double r = d.norm();
     if (r < 1e-9) return {};
-    return {kPolarRadius * std::acos(std::clamp(d.y() / r, -1.0, 1.0)), std::atan2(d.x(), d.z()), r};
+    return {kPolarRadius * std::acos(std::clamp(d.y() / r, -1.0, 1.0)), std::atan2(d.x(), d.z()),
+            r};
   }
   std::size_t best = 0;
   double best_t = 0, best_distance = std::numeric_limits<double>::infinity();
@@ -114,8 +117,8 @@ LimbAxis trunk_axis(const Body& body) {
     x.push_back(level.centre().x());
     z.push_back(level.centre().y());
   }
-  // The middle of a slice jumps where a hem or a hand begins; the axis is its running median over 16 cm,
-  // then smoothed over the same.
+  // The middle of a slice jumps where a hem or a hand begins; the axis is its running median over
+  // 16 cm, then smoothed over the same.
   const auto smoothed = [&](std::vector<double> v) {
     const int n = static_cast<int>(v.size()), half = 8;
     std::vector<double> median(v.size()), mean(v.size());

@@ -73,8 +73,9 @@ struct LimbMap {
   double column_phi(double j) const;
 };
 
-/// Outer radius near (s, phi), m: of the cell, of a cell up to two rows away, or between the nearest
-/// cells with data round the limb, up to `reach` radians on both sides. Negative when there is none.
+/// Outer radius near (s, phi), m: of the cell, of a cell up to two rows away, or between the
+/// nearest cells with data round the limb, up to `reach` radians on both sides. Negative when there
+/// is none.
 double outer_radius(const LimbMap& map, double s, double phi, double reach = 0.0);
 
 /// Bins the samples `members` whose normal and the direction away from the axis have a cosine of at

@@ -93,7 +93,8 @@ struct Placer {
 
 int column_of(const LimbMap& map, double phi) {
   const double wrapped = std::remainder(phi, 2 * kPi);
-  return std::clamp(static_cast<int>((wrapped + kPi) / (2 * kPi) * map.columns), 0, map.columns - 1);
+  return std::clamp(static_cast<int>((wrapped + kPi) / (2 * kPi) * map.columns), 0,
+                    map.columns - 1);
 }
 
 double Placer::edge_at(const std::string& edge, const LimbMap& map, double phi) const {
@@ -102,7 +103,8 @@ double Placer::edge_at(const std::string& edge, const LimbMap& map, double phi) 
 
 Vec3 Placer::on_limb(const std::string& name, double s, double phi) const {
   const LimbView& view = limb(name);
-  const int row = std::clamp(static_cast<int>(std::lround(view.map.row_of(s))), 0, view.map.rows - 1);
+  const int row =
+      std::clamp(static_cast<int>(std::lround(view.map.row_of(s))), 0, view.map.rows - 1);
   const double r = radius.at(name)[view.map.index(row, column_of(view.map, phi))];
   return view.axis.point({s, std::remainder(phi, 2 * kPi), r + clearance});
 }
@@ -131,7 +133,10 @@ void Placer::place_torso(int panel) {
     for (const double phi : {0.5 * kPi, -0.5 * kPi}) {
       const double s = edge_at(upper, neck.map, phi);
       const int row = std::clamp(static_cast<int>(neck.map.row_of(s)), 0, neck.map.rows - 1);
-      sum += 0.5 * neck.axis.point({s, phi, radius.at("neck")[neck.map.index(row, column_of(neck.map, phi))]}).y();
+      sum += 0.5 *
+             neck.axis
+                 .point({s, phi, radius.at("neck")[neck.map.index(row, column_of(neck.map, phi))]})
+                 .y();
     }
     neck_top = sum;
   }
@@ -141,11 +146,11 @@ void Placer::place_torso(int panel) {
     const double u = std::clamp(p.x() / half.at(p.y()), -1.0, 1.0) * 0.5 * kPi;
     const double phi = pattern.panel_is_front[panel] ? u : kPi - u;
     const double share = (p.y() - t_low) / (t_high - t_low);
-    const double top = neck_top                             ? *neck_top
-                       : target.edge_s.count(upper) != 0    ? edge_at(upper, torso.map, phi)
-                                                            : 0.9 * torso.axis.s_max();
-    const double bottom = target.edge_s.count(lower) != 0 ? edge_at(lower, torso.map, phi)
-                                                          : top - (t_high - t_low);
+    const double top = neck_top                          ? *neck_top
+                       : target.edge_s.count(upper) != 0 ? edge_at(upper, torso.map, phi)
+                                                         : 0.9 * torso.axis.s_max();
+    const double bottom =
+        target.edge_s.count(lower) != 0 ? edge_at(lower, torso.map, phi) : top - (t_high - t_low);
     out[v] = on_limb("torso", top + share * (bottom - top), phi);
   }
 }
@@ -177,7 +182,8 @@ void Placer::place_sleeve(int panel) {
   std::vector<double> widest;
   for (std::size_t v = 0; v < pattern.flat.size(); ++v) {
     if (pattern.panel[v] != panel) continue;
-    const auto band = static_cast<std::size_t>(std::max(0.0, inwards.dot(pattern.flat[v] - upper)) / kBand);
+    const auto band =
+        static_cast<std::size_t>(std::max(0.0, inwards.dot(pattern.flat[v] - upper)) / kBand);
     if (widest.size() <= band) widest.resize(band + 1, 1e-3);
     widest[band] = std::max(widest[band], across.dot(pattern.flat[v] - upper));
   }
@@ -185,7 +191,9 @@ void Placer::place_sleeve(int panel) {
   for (std::size_t v = 0; v < pattern.flat.size(); ++v) {
     if (pattern.panel[v] != panel) continue;
     const double inside = std::max(0.0, inwards.dot(pattern.flat[v] - upper));
-    const double share = std::clamp(across.dot(pattern.flat[v] - upper) / widest[static_cast<std::size_t>(inside / kBand)], 0.0, 1.0);
+    const double share = std::clamp(
+        across.dot(pattern.flat[v] - upper) / widest[static_cast<std::size_t>(inside / kBand)], 0.0,
+        1.0);
     const double phi = front * share * kPi;
     out[v] = on_limb(name, edge_at(cuff->name, arm.map, phi) - inside, phi);
   }
@@ -203,7 +211,8 @@ std::vector<Vec3> place_garment(const Pattern& pattern, const PlacementTarget& t
   options.check();
   if (target.limbs == nullptr || target.limbs->count("torso") == 0)
     throw InvalidInput("place_garment: no torso among the limbs");
-  Placer placer{pattern, target, options.clearance, {}, std::vector<Vec3>(pattern.flat.size(), Vec3::Zero())};
+  Placer placer{
+      pattern, target, options.clearance, {}, std::vector<Vec3>(pattern.flat.size(), Vec3::Zero())};
   for (const auto& [name, view] : *target.limbs) placer.radius[name] = filled_radius(view.map);
   for (int panel = 0; panel < static_cast<int>(pattern.panel_names.size()); ++panel) {
     if (pattern.panel_limbs[panel] == "torso")

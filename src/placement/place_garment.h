@@ -11,12 +11,15 @@ namespace regarment {
 
 /// What a garment is wrapped round: the limbs, and how high on them its open edges sit.
 struct PlacementTarget {
-  const std::map<std::string, LimbView>* limbs = nullptr;  // "torso", "left_arm", "right_arm", "neck"
-  std::map<std::string, std::vector<double>> edge_s;       // edge name -> s per column of its limb's map, m
+  const std::map<std::string, LimbView>* limbs =
+      nullptr;  // "torso", "left_arm", "right_arm", "neck"
+  std::map<std::string, std::vector<double>>
+      edge_s;  // edge name -> s per column of its limb's map, m
 };
 
 struct PlacementOptions {
-  // Distance between the wrapped garment and the body, m. Larger clears folds, and lies further off.
+  // Distance between the wrapped garment and the body, m. Larger clears folds, and lies further
+  // off.
   double clearance = 0.02;
 
   void check() const;  // throws InvalidInput

@@ -23,16 +23,20 @@ std::map<std::string, double> heights(const std::filesystem::path& file, const n
                                       const char* field, bool landmarks) {
   std::map<std::string, double> out;
   if (!all.contains(field)) return out;
-  if (!all[field].is_object()) refuse(file, std::string(field) + " must be an object of names and heights in cm");
+  if (!all[field].is_object())
+    refuse(file, std::string(field) + " must be an object of names and heights in cm");
   for (const auto& [name, value] : all[field].items()) {
     const std::string where = std::string(field) + "." + one_line(name);
-    if (!value.is_number()) refuse(file, where + " must be a number, the height above the floor in cm");
+    if (!value.is_number())
+      refuse(file, where + " must be a number, the height above the floor in cm");
     const double metres = value.get<double>() / 100;
     if (!(metres > 0 && metres < kTallest)) refuse(file, where + " must lie between 0 and 300 cm");
     const bool known = std::any_of(std::begin(kLandmarks), std::end(kLandmarks),
                                    [&name = name](const char* l) { return name == l; });
     if (landmarks && !known)
-      refuse(file, where + " is no landmark; known are crotch, left_armpit, right_armpit, shoulder, neck");
+      refuse(
+          file,
+          where + " is no landmark; known are crotch, left_armpit, right_armpit, shoulder, neck");
     out[name] = metres;
   }
   return out;
@@ -42,8 +46,10 @@ std::map<std::string, double> heights(const std::filesystem::path& file, const n
 
 PlacementOverrides read_placement(const std::filesystem::path& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "is not a file; give a placement file (JSON)");
-  if (std::filesystem::file_size(file, error) > kLargest || error) refuse(file, "is too large for a placement file");
+  if (!std::filesystem::is_regular_file(file, error))
+    refuse(file, "is not a file; give a placement file (JSON)");
+  if (std::filesystem::file_size(file, error) > kLargest || error)
+    refuse(file, "is too large for a placement file");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
@@ -52,12 +58,14 @@ PlacementOverrides read_placement(const std::filesystem::path& file) {
     return depth < 8;
   };
   const nlohmann::json all = nlohmann::json::parse(text.str(), limited, false);
-  if (all.is_discarded() || !all.is_object()) refuse(file, "is not a JSON object; see README, \"Placement by hand\"");
+  if (all.is_discarded() || !all.is_object())
+    refuse(file, "is not a JSON object; see README, \"Placement by hand\"");
   if (!all.contains("format") || all["format"] != "regarment.placement/1")
     refuse(file, "format must be \"regarment.placement/1\"");
   for (const auto& [name, value] : all.items())
     if (name != "format" && name != "landmarks_cm" && name != "edges_cm")
-      refuse(file, "unknown field " + one_line(name) + "; known are format, landmarks_cm, edges_cm");
+      refuse(file,
+             "unknown field " + one_line(name) + "; known are format, landmarks_cm, edges_cm");
   return {heights(file, all, "landmarks_cm", true), heights(file, all, "edges_cm", false)};
 }
 

@@ -11,8 +11,9 @@ namespace regarment {
 /// What a person says about where the body's parts and the garment's edges are. Heights above the
 /// floor, m. Empty maps leave everything to the program.
 struct PlacementOverrides {
-  std::map<std::string, double> landmarks;  // "crotch", "left_armpit", "right_armpit", "shoulder", "neck"
-  std::map<std::string, double> edges;      // name of an edge round the trunk -> its height
+  std::map<std::string, double>
+      landmarks;  // "crotch", "left_armpit", "right_armpit", "shoulder", "neck"
+  std::map<std::string, double> edges;  // name of an edge round the trunk -> its height
 };
 
 /// Reads a placement file: {"format": "regarment.placement/1", "landmarks_cm": {"neck": 143.5},

@@ -32,8 +32,8 @@ class Union {
   std::vector<int> parent_;
 };
 
-std::vector<SliceCluster> clusters_of(const SurfaceSamples& samples, const std::vector<int>& members,
-                                      double cell) {
+std::vector<SliceCluster> clusters_of(const SurfaceSamples& samples,
+                                      const std::vector<int>& members, double cell) {
   std::vector<Cell> cells;
   cells.reserve(members.size());
   for (int s : members) {

@@ -18,12 +18,12 @@ struct SliceCluster {
 
 /// The scan cut into horizontal slices of equal height.
 struct Slices {
-  double height = 0.01;                           // m, of one slice; slice i spans [i, i+1) * height
+  double height = 0.01;  // m, of one slice; slice i spans [i, i+1) * height
   std::vector<std::vector<SliceCluster>> levels;  // clusters of each level, largest area first
 };
 
-/// Cuts samples (body frame, y up, floor at 0) into slices of `height` metres and joins samples of a
-/// slice whose cells of `cell` metres touch. Samples below the floor go to slice 0.
+/// Cuts samples (body frame, y up, floor at 0) into slices of `height` metres and joins samples of
+/// a slice whose cells of `cell` metres touch. Samples below the floor go to slice 0.
 Slices slice_body(const SurfaceSamples& samples, double height = 0.01, double cell = 0.012);
 
 }  // namespace regarment

@@ -33,8 +33,8 @@ void include(const SliceCluster& c, TrunkLevel& level) {
   level.z_min = std::min(level.z_min, c.z_min), level.z_max = std::max(level.z_max, c.z_max);
 }
 
-/// Does the cluster lie mostly over one of those of the slice before? A fold of a skirt that hangs free
-/// lower down does; a hand beside it does not.
+/// Does the cluster lie mostly over one of those of the slice before? A fold of a skirt that hangs
+/// free lower down does; a hand beside it does not.
 bool continues(const SliceCluster& c, const std::vector<const SliceCluster*>& before) {
   const auto share = [](double low, double high, double other_low, double other_high) {
     const double shared = std::min(high, other_high) - std::max(low, other_low);
@@ -144,12 +144,12 @@ void Follower::walk(int from, int step, const TrunkLevel& previous, bool find_ar
   sides[0].reach = {previous.x_max};
   sides[1].reach = {-previous.x_min};
   double x_min = previous.x_min, x_max = previous.x_max;  // where the trunk is looked for
-  std::vector<const SliceCluster*> before;  // going down alone: arms never hang on to a skirt's folds
+  std::vector<const SliceCluster*>
+      before;  // going down alone: arms never hang on to a skirt's folds
   int missing = 0;
   for (int i = from; i >= 0 && i < static_cast<int>(slices.levels.size()); i += step) {
     std::vector<const SliceCluster*> members;
-    TrunkLevel level =
-        gather(slices.levels[i], x_min, x_max, (i + 0.5) * h, before, members);
+    TrunkLevel level = gather(slices.levels[i], x_min, x_max, (i + 0.5) * h, before, members);
     if (!level.present) {
       if (++missing * h > kLongestGap) break;
       continue;
@@ -182,7 +182,8 @@ void Follower::walk(int from, int step, const TrunkLevel& previous, bool find_ar
         continue;
       }
       (s == 0 ? level.left_arm_joined : level.right_arm_joined) = true;
-      const std::size_t back = side.reach.size() > kLookBack ? side.reach.size() - kLookBack - 1 : 0;
+      const std::size_t back =
+          side.reach.size() > kLookBack ? side.reach.size() - kLookBack - 1 : 0;
       edge = side.sign * std::min(side.reach.back(), side.reach[back] + kSlack);
       side.reach.push_back(side.sign * edge);
       if (++side.joined < kArmLevels || side.armpit_known || !find_armpits) continue;
@@ -242,7 +243,8 @@ std::vector<bool> follow_trunk(const Slices& slices, const SurfaceSamples& sampl
   const int start = start_level(slices, body.height, middle);
   if (start < 0)
     throw NoPersonError(
-        "the scan shows no trunk at half its height; scan a standing person, or set --up and --units");
+        "the scan shows no trunk at half its height; scan a standing person, or set --up and "
+        "--units");
   double x_min = 1e9, x_max = -1e9;
   for (const SliceCluster& c : slices.levels[start])
     if (c.x_min <= middle && c.x_max >= middle)

@@ -32,8 +32,11 @@ std::vector<std::uint8_t> find_caps(const Scan& scan, const GarmentEdges& edges)
       const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
       const LimbPoint at = view.axis.locate((a + b + c) / 3);
       if (at.s < *low - kBeside || at.s > *high + kBeside) continue;
-      const int column = std::clamp(static_cast<int>((at.phi / (2 * std::numbers::pi) + 0.5) * view.map.columns), 0, view.map.columns - 1);
-      if (std::abs(at.s - edge.found.s[column]) > kBeside || at.r > edge.found.r[column] - kInside) continue;
+      const int column =
+          std::clamp(static_cast<int>((at.phi / (2 * std::numbers::pi) + 0.5) * view.map.columns),
+                     0, view.map.columns - 1);
+      if (std::abs(at.s - edge.found.s[column]) > kBeside || at.r > edge.found.r[column] - kInside)
+        continue;
       const Vec3 normal = (b - a).cross(c - a);
       // A cap faces out of the garment: against the way from the edge to the cloth.
       const double facing = normal.dot(view.axis.tangent(at.s)) * (edge.garment_above ? -1 : 1);
@@ -60,7 +63,8 @@ int count_caps(const Scan& scan, const std::vector<std::uint8_t>& cap, double le
     area[root_of(parent, static_cast<int>(t[0]))] +=
         0.5 * (scan.mesh.positions[t[1]] - a).cross(scan.mesh.positions[t[2]] - a).norm();
   }
-  return static_cast<int>(std::count_if(area.begin(), area.end(), [&](double x) { return x >= least_area; }));
+  return static_cast<int>(
+      std::count_if(area.begin(), area.end(), [&](double x) { return x >= least_area; }));
 }
 
 }  // namespace regarment

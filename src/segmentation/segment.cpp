@@ -16,8 +16,7 @@ constexpr std::size_t kGrain = 4096;
 
 std::vector<BodyPart> vertex_parts(const Scan& scan, const SurfaceSamples& samples,
                                    const Body& body) {
-  if (body.part.size() != samples.size())
-    throw InvalidInput("vertex_parts: one part per sample");
+  if (body.part.size() != samples.size()) throw InvalidInput("vertex_parts: one part per sample");
   std::vector<BodyPart> parts(scan.mesh.positions.size(), BodyPart::Loose);
   for (std::size_t s = 0; s < samples.size(); ++s)
     if (body.part[s] != BodyPart::Loose) parts[samples.vertex[s]] = body.part[s];

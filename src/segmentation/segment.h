@@ -20,7 +20,8 @@ std::vector<BodyPart> vertex_parts(const Scan& scan, const SurfaceSamples& sampl
                                    const Body& body);
 
 /// Gives every vertex that no garment has yet and that lies between the edges of this one the label
-/// `layer`. Probability falls to one half at the border: 1 - exp(-d / 1 cm) / 2 at distance d from it.
+/// `layer`. Probability falls to one half at the border: 1 - exp(-d / 1 cm) / 2 at distance d from
+/// it.
 void label_region(const Scan& scan, const std::vector<BodyPart>& parts, const GarmentRegion& region,
                   int layer, Labels& labels);
 
