@@ -21,7 +21,7 @@ constexpr double kLonely = 4.0;               // times the usual gap: a point on
 constexpr double kMeshPixel = 1.3;            // of the sample's spacing
 
 /// The points a cloud is judged by, neighbours in space near in the list. Which they are and their
-/// order depends on where they are alone (points in one cell of the curve keep the file's order).
+/// order depends on where they are alone.
 struct Chosen {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> index;  // in the full list
@@ -63,7 +63,11 @@ Chosen choose(std::span<const Vec3> points) {
     if (step > 1 && scramble(points[i]) % step != 0) continue;
     order.emplace_back(along_curve(points[i]), i);
   }
-  std::sort(order.begin(), order.end());
+  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const Vec3 &p = points[a.second], &q = points[b.second];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
   Chosen chosen;
   chosen.points.reserve(order.size());
   chosen.index.reserve(order.size());
@@ -75,16 +79,13 @@ Chosen choose(std::span<const Vec3> points) {
   return chosen;
 }
 
-std::vector<Vec3> places_of(const std::vector<Vec3>& sample) {
-  std::vector<Vec3> places;
-  const std::size_t step = std::max<std::size_t>(1, sample.size() / kPlaces);
-  for (std::size_t i = 0; i < sample.size(); i += step) places.push_back(sample[i]);
-  return places;
-}
-
-void measure_sampling(const Chosen& chosen, const PointTree& tree, const RawSurface& raw,
-                      ScanFacts& facts) {
-  const auto quality = sampling_quality(chosen.points, tree, places_of(raw.sample));
+void measure_sampling(const Chosen& chosen, const PointTree& tree, ScanFacts& facts) {
+  std::vector<std::uint32_t> places;
+  const std::size_t step = std::max<std::size_t>(1, chosen.points.size() / kPlaces);
+  for (std::size_t i = step / 2; i < chosen.points.size(); i += step) {
+    places.push_back(static_cast<std::uint32_t>(i));
+  }
+  const auto quality = sampling_quality(chosen.points, tree, places);
   facts.spacing = quality.spacing * std::sqrt(chosen.share);
   facts.noise = quality.noise;
 }
@@ -141,7 +142,7 @@ void follow_chosen(const RawSurface& raw, const PointTree& tree, const LocalSurf
 Finished finish_cloud(const RawSurface& raw, Scan& scan) {
   const Chosen chosen = choose(raw.positions);
   const PointTree tree(chosen.points);
-  measure_sampling(chosen, tree, raw, scan.facts);
+  measure_sampling(chosen, tree, scan.facts);
   LocalSurface surface = local_surface(chosen.points, tree);
   orient_outward(chosen.points, scan.facts.spacing / std::sqrt(chosen.share), surface);
   const std::vector<std::uint8_t> flags = lonely(surface);
@@ -184,7 +185,7 @@ Finished finish_mesh(const RawSurface& raw, Scan& scan) {
                                   " triangles face the other way than the rest: they were turned");
   }
   const Chosen chosen = choose(raw.positions);
-  measure_sampling(chosen, PointTree(chosen.points), raw, scan.facts);
+  measure_sampling(chosen, PointTree(chosen.points), scan.facts);
   return {mesh_normals(raw.positions, triangles), raw.stray};
 }
 

@@ -17,6 +17,7 @@ constexpr std::size_t kMostNeighbours = 64;
 constexpr std::size_t kGapNeighbours = 6;
 constexpr std::size_t kFirstFit = 20;     // neighbours of the first quadric
 constexpr std::size_t kLargestFit = 320;  // and of the last, each four times the one before
+constexpr double kLargestPatch = 0.015;   // m; beyond, shape would be taken for noise
 constexpr double kFlatEnough =
     0.25;  // noise over patch radius above which a larger patch is needed
 constexpr int kUnknowns = 6;
@@ -77,12 +78,12 @@ std::optional<Residual> quadric_residual(std::span<const Vec3> points,
 }
 
 Residual median_residual(std::span<const Vec3> points, const PointTree& tree,
-                         std::span<const Vec3> places, std::size_t neighbours) {
+                         std::span<const std::uint32_t> places, std::size_t neighbours) {
   std::vector<double> variances(places.size(), -1.0), radii(places.size(), -1.0);
   parallel_for(places.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<PointNeighbour> found(neighbours);
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t count = tree.nearest(places[i], found);
+      const std::size_t count = tree.nearest(points[places[i]], found);
       const auto residual = quadric_residual(points, std::span(found).first(count));
       if (!residual) continue;
       variances[i] = residual->variance;
@@ -125,24 +126,21 @@ LocalSurface local_surface(std::span<const Vec3> points, const PointTree& tree,
 }
 
 SamplingQuality sampling_quality(std::span<const Vec3> points, const PointTree& tree,
-                                 std::span<const Vec3> places) {
+                                 std::span<const std::uint32_t> places) {
   SamplingQuality quality;
-  std::vector<Vec3> at_points(places.size());
   std::vector<double> spacings(places.size());
   parallel_for(places.size(), 256, [&](std::size_t begin, std::size_t end) {
-    std::array<PointNeighbour, 2> found;
+    std::array<PointNeighbour, 2> found;  // the first is the point itself
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(places[i], std::span(found).first(1));
-      at_points[i] = points[found[0].index];
-      const std::size_t count = tree.nearest(at_points[i], found);
+      const std::size_t count = tree.nearest(points[places[i]], found);
       spacings[i] = count == 2 ? std::sqrt(found[1].squared_distance) : 0.0;
     }
   });
   quality.spacing = quantile(spacings, 0.5);
   for (std::size_t neighbours = kFirstFit; neighbours <= kLargestFit; neighbours *= 4) {
-    const Residual residual = median_residual(points, tree, at_points, neighbours);
+    const Residual residual = median_residual(points, tree, places, neighbours);
     quality.noise = std::sqrt(residual.variance);
-    if (quality.noise < kFlatEnough * residual.radius) break;
+    if (quality.noise < kFlatEnough * residual.radius || 2 * residual.radius > kLargestPatch) break;
   }
   return quality;
 }

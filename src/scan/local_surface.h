@@ -30,10 +30,11 @@ struct SamplingQuality {
   double noise = 0.0;    // standard deviation of points about the smooth surface near them
 };
 
-/// Measures both at the points nearest to `places`: a quadric is fitted to neighbours enough to
-/// outweigh the noise, and what it leaves over, less its degrees of freedom, is noise. Medians over
-/// the places.
+/// Measures both at the points whose indices `places` lists: a quadric is fitted to neighbours
+/// enough to outweigh the noise, and what it leaves over, less its degrees of freedom, is noise
+/// (with shape finer than the spacing, where points are far apart). Medians over the places. Points
+/// in metres.
 SamplingQuality sampling_quality(std::span<const Vec3> points, const PointTree& tree,
-                                 std::span<const Vec3> places);
+                                 std::span<const std::uint32_t> places);
 
 }  // namespace regarment
