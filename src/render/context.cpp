@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "render/gl.h"
+#include "render/sanitizers.h"
 
 // After gl.h, which asks for the prototypes.
 #include <GL/osmesa.h>
