@@ -1,6 +1,7 @@
 #include "render/albedo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace regarment {

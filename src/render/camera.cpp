@@ -1,6 +1,10 @@
 #include "render/camera.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "base/error.h"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <mutex>
+#include <string>
 
 #include "base/error.h"
 #include "render/gl.h"

@@ -1,5 +1,9 @@
 #include "render/display_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/error.h"
 #include "render/camera.h"
 #include "render/display_normals.h"

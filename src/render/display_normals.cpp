@@ -1,7 +1,10 @@
 #include "render/display_normals.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 #include <utility>
 

@@ -1,5 +1,10 @@
 #include "render/geometry_pass.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
 #include "base/error.h"
 #include "render/clip_matrix.h"
 #include "render/context.h"

@@ -1,8 +1,10 @@
 #include "render/heat_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "base/error.h"
 

@@ -1,5 +1,10 @@
 #include "render/image.h"
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 

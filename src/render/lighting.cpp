@@ -1,6 +1,7 @@
 #include "render/lighting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/hollows.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <string>
 
 #include "base/error.h"
 #include "render/albedo.h"

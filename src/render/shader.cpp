@@ -1,6 +1,8 @@
 #include "render/shader.h"
 
+#include <algorithm>
 #include <cctype>
+#include <string>
 
 #include "base/error.h"
 #include "render/gl.h"

@@ -1,6 +1,7 @@
 #include "render/silhouette.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "base/error.h"

@@ -1,6 +1,7 @@
 #include "render/smooth_normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace regarment {

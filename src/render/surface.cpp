@@ -1,5 +1,8 @@
 #include "render/surface.h"
 
+#include <array>
+#include <cmath>
+
 #include "render/lighting.h"
 #include "render/smooth_normals.h"
 

@@ -1,5 +1,6 @@
 #include "render/vertex_clusters.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace regarment {

@@ -87,8 +87,8 @@ void measure(const Mesh& scan, const char* name) {
        {std::pair(ImageFormat::Jpeg, "JPEG"), std::pair(ImageFormat::Png, "PNG"),
         std::pair(ImageFormat::WebP, "WebP")}) {
     std::size_t bytes = 0;
-    const double time = best_of(1, [&] {
-      for (const Figure& f : figures) bytes += encode_image(f.image, format).size();
+    const double time = best_of(1, [&, chosen = format] {
+      for (const Figure& f : figures) bytes += encode_image(f.image, chosen).size();
     });
     std::printf("  16 pictures as %s: %.0f ms, %zu KB\n", label, time, bytes / 1000);
   }
