@@ -14,6 +14,7 @@ constexpr double kStray = 0.001;            // share of points that may lie outs
 constexpr double kConnected = 0.8;          // share of points the largest piece should hold
 constexpr double kFilled = 4.0;       // samples a cell should hold on average, or it has holes
 constexpr double kSmallPiece = 0.02;  // of the largest piece's cells; smaller ones are dropped
+constexpr double kOnePlace = 1e-100;  // file units; arithmetic fails on less
 constexpr double kMostSamples = 6e6;  // on triangles, so that absurd ones cannot take for ever
 
 struct Extent {
@@ -198,7 +199,7 @@ bool BodySample::covers(const Vec3& p) const {
 BodySample sample_body(std::span<const Vec3> points, std::span<const Triangle> triangles) {
   const Extent extent = robust_extent(points);
   const double longest = extent.longest();
-  if (!(longest > 0) || !std::isfinite(longest)) {
+  if (!(longest > kOnePlace) || !std::isfinite(longest)) {
     BodySample nothing;
     nothing.centre = points[0];
     nothing.cell = 1.0;

@@ -10,18 +10,38 @@ namespace regarment {
 namespace {
 
 constexpr double kPixel =
-    2.5;                     // spacings: few enough holes in a depth picture, fingers still apart
-constexpr int kRounds = 12;  // of asking the neighbours
-constexpr float kOwnShare = 0.4F;   // weight of what a point sees itself
-constexpr double kAlong = 0.7;      // cosine: a given normal lies along the estimated one
-constexpr double kPlausible = 0.7;  // share of given normals that must
+    2.5;  // spacings: few enough holes in a depth picture, fingers still apart
+constexpr std::size_t kLookAt = 2;      // of so many points one is looked at
+constexpr std::size_t kHideBehind = 3;  // and one hides others: two in a pixel
+constexpr int kRounds = 12;             // of asking the neighbours
+constexpr float kOwnShare = 0.4F;       // weight of what a point sees itself
+constexpr double kAlong = 0.7;          // cosine: a given normal lies along the estimated one
+constexpr double kPlausible = 0.7;      // share of given normals that must
 constexpr double kNearlyAll =
     0.9;  // share of these that must point one way to be trusted as a whole
+
+template <typename Item>
+std::vector<Item> every(std::span<const Item> items, std::size_t step) {
+  std::vector<Item> some;
+  some.reserve(items.size() / step + 1);
+  for (std::size_t i = 0; i < items.size(); i += step) some.push_back(items[i]);
+  return some;
+}
+
+/// The side some of the points are seen from, 0 for the others: their neighbours tell them.
+std::vector<float> look_at_some(std::span<const Vec3> points, double spacing,
+                                std::span<const Vec3> normals) {
+  const std::vector<float> looked = visible_side(every(points, kLookAt), every(normals, kLookAt),
+                                                 every(points, kHideBehind), kPixel * spacing);
+  std::vector<float> seen(points.size(), 0.0F);
+  for (std::size_t i = 0; i < looked.size(); ++i) seen[kLookAt * i] = looked[i];
+  return seen;
+}
 
 }  // namespace
 
 void orient_outward(std::span<const Vec3> points, double spacing, LocalSurface& surface) {
-  const std::vector<float> seen = visible_side(points, surface.normals, points, kPixel * spacing);
+  const std::vector<float> seen = look_at_some(points, spacing, surface.normals);
   // How much each neighbour's answer counts: for the same side or, where normals were estimated
   // opposite, for the other.
   std::vector<std::array<float, LocalSurface::kKept>> agreement(points.size());

@@ -8,7 +8,8 @@
 namespace regarment {
 
 /// Turns the normals of a cloud to the outside: by the side a point is seen from, and where it is
-/// not seen or hardly, by agreement with its neighbours. Frame: +y up. `spacing` is the cloud's.
+/// not seen or hardly, by agreement with its neighbours. Frame: +y up. `spacing` is the
+/// cloud's; points near in the list should be near in space.
 void orient_outward(std::span<const Vec3> points, double spacing, LocalSurface& surface);
 
 /// What became of the normals a file brought along.

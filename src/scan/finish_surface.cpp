@@ -55,11 +55,15 @@ std::uint32_t along_curve(const Vec3& p) {
   return code;
 }
 
-Chosen choose(std::span<const Vec3> points) {
+/// Leaves out stray points, and of very many takes a part.
+Chosen choose(std::span<const Vec3> points, std::span<const std::uint8_t> stray) {
   const std::size_t step = points.size() / kMostPoints + 1;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
   order.reserve(points.size() / step + 1);
+  std::size_t eligible = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (stray[i] != 0) continue;
+    ++eligible;
     if (step > 1 && scramble(points[i]) % step != 0) continue;
     order.emplace_back(along_curve(points[i]), i);
   }
@@ -75,7 +79,8 @@ Chosen choose(std::span<const Vec3> points) {
     chosen.points.push_back(points[i]);
     chosen.index.push_back(i);
   }
-  chosen.share = static_cast<double>(chosen.points.size()) / static_cast<double>(points.size());
+  chosen.share =
+      static_cast<double>(order.size()) / static_cast<double>(std::max<std::size_t>(eligible, 1));
   return chosen;
 }
 
@@ -112,7 +117,7 @@ std::vector<std::uint8_t> lonely(const LocalSurface& surface) {
 /// The file's normals by welded position: those of the first vertex there.
 std::vector<Vec3> given_normals(const RawSurface& raw, const Mesh& mesh) {
   if (mesh.normals.empty()) return {};
-  std::vector<Vec3> given(raw.positions.size(), Vec3::Zero());
+  std::vector<Vec3> given(raw.welded.positions.size(), Vec3::Zero());
   for (std::size_t v = mesh.positions.size(); v-- > 0;) {
     const std::uint32_t at = raw.welded.of_vertex[v];
     if (at == Welded::kNone || !mesh.normals[v].allFinite()) continue;
@@ -130,28 +135,29 @@ struct Finished {
 /// Gives points that were not chosen the normal of the nearest one that was.
 void follow_chosen(const RawSurface& raw, const PointTree& tree, const LocalSurface& surface,
                    Finished& finished) {
-  parallel_for(raw.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(raw.welded.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (!finished.normals[i].isZero()) continue;
       PointNeighbour hit;
-      tree.nearest(raw.positions[i], {&hit, 1});
+      tree.nearest(raw.welded.positions[i], {&hit, 1});
       finished.normals[i] = surface.normals[hit.index];
     }
   });
 }
 
 Finished finish_cloud(const RawSurface& raw, Scan& scan) {
-  const Chosen chosen = choose(raw.positions);
+  const Chosen chosen = choose(raw.welded.positions, raw.stray);
   const PointTree tree(chosen.points);
   measure_sampling(chosen, tree, scan.facts);
   LocalSurface surface = local_surface(chosen.points, tree);
   orient_outward(chosen.points, scan.facts.spacing / std::sqrt(chosen.share), surface);
   const std::vector<std::uint8_t> flags = lonely(surface);
-  Finished finished{std::vector<Vec3>(raw.positions.size()), raw.stray};
+  Finished finished{std::vector<Vec3>(raw.welded.positions.size(), Vec3::Zero()), raw.stray};
   for (std::size_t i = 0; i < chosen.index.size(); ++i) {
     finished.normals[chosen.index[i]] = surface.normals[i];
     finished.outlier[chosen.index[i]] |= flags[i];
   }
-  if (chosen.share < 1) follow_chosen(raw, tree, surface, finished);
+  follow_chosen(raw, tree, surface, finished);
   switch (prefer_given(given_normals(raw, scan.mesh), finished.normals)) {
     case GivenNormals::Flipped:
       scan.facts.warnings.emplace_back("the file's normals point inward: they were turned");
@@ -169,10 +175,10 @@ Finished finish_cloud(const RawSurface& raw, Scan& scan) {
 Finished finish_mesh(const RawSurface& raw, Scan& scan) {
   std::vector<std::uint32_t> source;
   std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, raw.welded, &source);
-  const MeshEdges edges = find_edges(triangles, raw.positions.size());
-  scan.facts.holes = count_holes(edges, raw.positions.size());
-  const Winding winding =
-      outward_winding(raw.positions, triangles, edges, raw.sample, kMeshPixel * raw.sample_spacing);
+  const MeshEdges edges = find_edges(triangles, raw.welded.positions.size());
+  scan.facts.holes = count_holes(edges, raw.welded.positions.size());
+  const Winding winding = outward_winding(raw.welded.positions, triangles, edges, raw.sample,
+                                          kMeshPixel * raw.sample_spacing);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (winding.turn[t] == 0) continue;
     std::swap(triangles[t][1], triangles[t][2]);
@@ -184,9 +190,9 @@ Finished finish_mesh(const RawSurface& raw, Scan& scan) {
     scan.facts.warnings.push_back(std::to_string(winding.turned) +
                                   " triangles face the other way than the rest: they were turned");
   }
-  const Chosen chosen = choose(raw.positions);
+  const Chosen chosen = choose(raw.welded.positions, raw.stray);
   measure_sampling(chosen, PointTree(chosen.points), scan.facts);
-  return {mesh_normals(raw.positions, triangles), raw.stray};
+  return {mesh_normals(raw.welded.positions, triangles), raw.stray};
 }
 
 }  // namespace

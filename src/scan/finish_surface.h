@@ -9,8 +9,7 @@ namespace regarment {
 
 /// A scan in the body frame whose surface is still to be looked at.
 struct RawSurface {
-  const Welded& welded;             // vertices to positions
-  std::vector<Vec3> positions;      // welded, body frame, m
+  const Welded& welded;             // vertices to positions; these in the body frame, m
   std::vector<std::uint8_t> stray;  // per welded position: 1 = away from the body
   std::vector<Vec3> sample;         // of the body, body frame, m
   double sample_spacing = 0.0;      // m

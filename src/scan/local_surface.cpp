@@ -116,7 +116,8 @@ LocalSurface local_surface(std::span<const Vec3> points, const PointTree& tree,
       double sum = 0;
       const std::size_t others = std::min(found.size(), kGapNeighbours + 1);  // the first is itself
       for (std::size_t n = 1; n < others; ++n) sum += std::sqrt(found[n].squared_distance);
-      surface.gap[i] = static_cast<float>(others > 1 ? sum / static_cast<double>(others - 1) : 0.0);
+      const double gap = others > 1 ? sum / static_cast<double>(others - 1) : 0.0;
+      surface.gap[i] = static_cast<float>(gap);
       for (std::size_t n = 0; n < LocalSurface::kKept; ++n) {
         surface.nearest[i][n] = n + 1 < found.size() ? found[n + 1].index : i;
       }

@@ -31,6 +31,6 @@ struct ScanOptions {
 ///
 /// Throws UsageError for options that contradict themselves, and NoPersonError with a reason and
 /// advice when the shape is no person or its unit cannot be told.
-Scan make_scan(const Mesh& mesh_in_file_frame, const ScanOptions& options = {});
+Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options = {});
 
 }  // namespace regarment

@@ -34,6 +34,31 @@ TEST(CloudNormals, PointOutward) {
   }
 }
 
+TEST(CloudNormals, PointOutwardDespitePointsFarAway) {
+  Mesh cloud = made_cloud({}, 30000, 0.0005);
+  const std::vector<Vec3> truth = cloud.normals;
+  cloud.normals.clear();
+  for (const double far : {1e2, -1e5, 1e300, -1e300}) cloud.positions.emplace_back(far, far, 1.0);
+  const Scan scan = make_scan(cloud);
+  EXPECT_GT(outward_share(scan, truth), 0.99);
+  for (std::size_t v = truth.size(); v < cloud.positions.size(); ++v) {
+    EXPECT_EQ(scan.outlier[v], 1);
+    EXPECT_NEAR(scan.mesh.normals[v].norm(), 1.0, 1e-6);
+  }
+}
+
+TEST(CloudNormals, OfAVeryLargeCloudFollowASample) {
+  Mesh cloud = made_cloud({}, 560000, 0.0001);
+  const std::vector<Vec3> truth = cloud.normals;
+  cloud.normals.clear();
+  const double density = static_cast<double>(cloud.positions.size()) / seen_area({});
+  const Scan scan = make_scan(std::move(cloud));
+  EXPECT_GT(outward_share(scan, truth), 0.99);
+  EXPECT_NEAR(scan.facts.noise, 0.0001, 0.00002);
+  const double median = std::sqrt(std::log(2.0) / (3.14159265358979 * density));
+  EXPECT_NEAR(scan.facts.spacing, median, 0.1 * median);
+}
+
 TEST(CloudNormals, OfTheFileAreKeptWhenPlausible) {
   const Mesh cloud = made_cloud({}, 30000);
   const Scan scan = make_scan(cloud);
