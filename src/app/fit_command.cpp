@@ -32,6 +32,7 @@ class Stopwatch {
 
 std::vector<GarmentTemplate> find_templates(const std::vector<std::string>& names) {
   std::vector<GarmentTemplate> out;
+  out.reserve(names.size());
   for (const std::string& name : names) out.push_back(find_template(name));
   return out;
 }

@@ -45,6 +45,16 @@ Gaps show_figure(const StoredFigure& figure, const Look& look, const PageParts& 
   return gaps;
 }
 
+// The first picture of the scan and of the first look beside it, to stand next to the verdict.
+std::vector<Gaps> pair_of(const std::vector<Gaps>& before, const std::vector<Gaps>& after) {
+  std::vector<Gaps> pair;
+  for (const std::vector<Gaps>* row : {&before, &after}) {
+    if (row->empty()) continue;
+    pair.push_back(std::get<std::vector<Gaps>>(row->front().values.at("figures")).front());
+  }
+  return pair;
+}
+
 }  // namespace
 
 void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
@@ -66,6 +76,7 @@ void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
     gaps.set("figures", std::move(figures));
   }
   page.set("has_figures", !before.empty() || !after.empty());
+  page.set("pair", pair_of(before, after));
   page.set("before", std::move(before));
   page.set("after", std::move(after));
 }

@@ -83,7 +83,8 @@ Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& pr
   Pictures out;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string kind(look_name(figures[i].look)), side(view_name(figures[i].view));
-    const std::string file = "pictures/" + kind + "-" + side + ".jpg";
+    std::string file = "pictures/";
+    file.append(kind).append("-").append(side).append(".jpg");
     out.figures.push_back({kind, side, file, figures[i].image.width, figures[i].image.height});
     out.bytes[file] = std::move(bytes[i]);
   }

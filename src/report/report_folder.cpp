@@ -121,7 +121,8 @@ std::filesystem::path remake_report(const std::filesystem::path& folder) {
   const std::string json = read_file(folder / "result.json", kMostJson);
   const Result result = parse_result(json, "result.json");
   const std::string page = report_page(result, stored_parts(result, folder));
-  const std::filesystem::path place = folder / "report.html", hidden = folder / ".report.html-new";
+  std::filesystem::path place = folder / "report.html";
+  const std::filesystem::path hidden = folder / ".report.html-new";
   std::error_code error;
   std::filesystem::remove(hidden, error);
   write_file(hidden, page);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "failures.h"
 #include "support/bad_files.h"
 #include "support/folders.h"

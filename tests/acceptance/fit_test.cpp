@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "failures.h"
@@ -105,7 +107,7 @@ TEST(Fit, NamesCannotRunInThePageNorInASpreadsheet) {
     const std::string page = bytes_of(out / "report.html");
     EXPECT_EQ(page.find("<img src=x"), std::string::npos);
     EXPECT_EQ(page.find('\x1b'), std::string::npos);
-    EXPECT_EQ(page.find("\xff"), std::string::npos);
+    EXPECT_EQ(page.find('\xff'), std::string::npos);
     EXPECT_TRUE(Json::accept(bytes_of(out / "result.json")));
     for (const std::string& line : lines_of(bytes_of(out / "measurements.csv"))) {
       EXPECT_EQ(line.find(",="), std::string::npos);

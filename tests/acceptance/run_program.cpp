@@ -51,6 +51,7 @@ RunningProgram::RunningProgram(const Arguments& arguments, int seconds) {
   std::vector<std::string> words = {REGARMENT_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const auto out = make_pipe(), err = make_pipe();

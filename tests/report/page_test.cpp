@@ -82,7 +82,8 @@ TEST(Page, ShowsPicturesAsData) {
   EXPECT_THROW(report_page(result, parts), ReadError);
   parts.pictures["pictures/scan-front.png"] = "\x89PNG\r\n\x1a\n";
   const std::string page = report_page(result, parts);
-  EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo=\""), 1u);
+  EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo=\""),
+            2u);  // and beside the verdict
 }
 
 TEST(Page, ShowsDrawingsAsPicturesThatCannotRun) {
