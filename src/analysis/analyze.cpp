@@ -21,6 +21,8 @@ namespace {
 
 constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
 constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
+constexpr double kCloudSpacing =
+    1.75;  // mean spacing over median distance to the nearest neighbour
 constexpr std::size_t kMostGarments = 8;
 
 class Stopwatch {
@@ -231,8 +233,10 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   analysis.method = "direct";
   Stopwatch watch;
   progress.report("place", 0.0);
-  Stage stage{options, sample_surface(scan.mesh, options.sample_spacing, scan.outlier), {}, {}, {},
-              {}};
+  // A random cloud's nearest neighbours are half as far away as points in a regular grid would be.
+  const double spacing =
+      scan.mesh.is_cloud() ? kCloudSpacing * scan.facts.spacing : options.sample_spacing;
+  Stage stage{options, sample_surface(scan.mesh, spacing, scan.outlier), {}, {}, {}, {}};
   stage.taken.assign(stage.samples.size(), 0);
   progress.report("place", 0.3);
   stage.body = find_body(stage.samples, scan.facts.height);

@@ -52,6 +52,7 @@ SurfaceSamples sample_surface(const Mesh& mesh, double spacing,
     throw InvalidInput("sample_surface: the mesh has no normals");
   const auto skipped = [&](std::uint32_t v) { return !skip.empty() && skip[v] != 0; };
   SurfaceSamples out;
+  out.spacing = spacing;
   if (mesh.is_cloud()) {
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
       if (skipped(v)) continue;
@@ -65,6 +66,9 @@ SurfaceSamples sample_surface(const Mesh& mesh, double spacing,
   }
   for (const Triangle& t : mesh.triangles)
     if (!skipped(t[0]) && !skipped(t[1]) && !skipped(t[2])) add_triangle(mesh, t, spacing, out);
+  double area = 0;
+  for (double a : out.areas) area += a;
+  if (!out.areas.empty()) out.spacing = std::sqrt(area / static_cast<double>(out.areas.size()));
   return out;
 }
 

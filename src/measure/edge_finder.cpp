@@ -40,11 +40,15 @@ struct SideSums {
   double covariance() const { return xy - x * y / n; }
 };
 
+int window_rows(const LimbMap& map) {
+  return std::max(4, static_cast<int>(std::lround(kWindow / map.step)));
+}
+
 /// Sums over the rows of one side; `direction` +1 towards larger rows.
 SideSums side_sums(const LimbMap& map, int boundary, int column, int direction) {
   SideSums sums;
   const int skip = static_cast<int>(std::lround(kSkip / map.step));
-  const int rows = static_cast<int>(std::lround(kWindow / map.step));
+  const int rows = window_rows(map);
   for (int k = skip; k < skip + rows; ++k) {
     const int i = direction > 0 ? boundary + k : boundary - 1 - k;
     if (i < 0 || i >= map.rows || !map.has(i, column)) continue;
@@ -62,11 +66,11 @@ Boundary fit_boundary(const LimbMap& map, int boundary, int column, bool garment
   Boundary b;
   if (garment.n < 3) return b;
   if (other.n < 3) {
-    b.drop = other.n == 0;
-    b.valid = b.drop;
+    // A stray row or two beyond the edge make a drop less sure, not impossible.
+    b.drop = b.valid = true;
     const int next = garment_above ? boundary : boundary - 1;
     const bool touches = next >= 0 && next < map.rows && map.has(next, column);
-    b.filled = (garment.n + (touches ? 1 : 0)) / (std::round(kWindow / map.step) + 1);
+    b.filled = (garment.n + (touches ? 1 : 0) - other.n) / (window_rows(map) + 1.0);
     const double slope = garment.spread() > 0 ? garment.covariance() / garment.spread() : 0;
     b.garment_r = (garment.y - slope * garment.x) / garment.n;
     return b;

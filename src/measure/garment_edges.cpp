@@ -15,9 +15,10 @@ constexpr double kSaidReach = 0.03;    // m about a height that a person gave
 constexpr double kBridge = 1.2;        // radians of missing surface bridged for pieces cut off
 constexpr double kLooseReach = 0.03;   // m from that surface at which a loose piece belongs to it
 constexpr double kWaistStray = 0.012;  // m, a waist is cut straight
-constexpr double kFacing = 0.5;     // caps and bulges that close a hem face down, cloth faces out
-constexpr double kArmReach = 0.16;  // m, samples further from an arm's axis are torso
-constexpr double kLeastCoverage = 0.8;  // of the loop where a person's own shape shows no edge
+constexpr double kFacing = 0.5;  // caps and bulges that close a hem face down, cloth faces out
+constexpr double kFineSpacing = 0.0045;  // m between samples that fill the finest cells
+constexpr double kArmReach = 0.16;       // m, samples further from an arm's axis are torso
+constexpr double kLeastCoverage = 0.8;   // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
@@ -112,6 +113,15 @@ std::string describe(const std::string& name, const FoundEdge& edge) {
   return edge.found() ? text : "no data where its " + name + " would be";
 }
 
+/// Cells of a height field hold a sample or two: thin scans get larger ones.
+struct Resolution {
+  double scale;
+  explicit Resolution(const SurfaceSamples& samples)
+      : scale(std::max(1.0, samples.spacing / kFineSpacing)) {}
+  double step(double finest) const { return finest * scale; }
+  int columns(int most) const { return std::max(16, static_cast<int>(most / scale)); }
+};
+
 struct Finder {
   const SurfaceSamples& samples;
   const Body& body;
@@ -119,6 +129,7 @@ struct Finder {
   const std::string& title;
   const std::vector<std::uint8_t>& taken;
   const std::map<std::string, double>& said;
+  Resolution fine;
   GarmentEdges out;
 
   void add_limbs();
@@ -136,8 +147,8 @@ void Finder::missing(const std::string& name, const FoundEdge& edge) const {
 void Finder::add_limbs() {
   const LimbAxis trunk = trunk_axis(body);
   std::vector<int> members = trunk_members(body, taken, false);
-  LimbMap map =
-      make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
+  LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, fine.step(kTrunkStep),
+                              fine.columns(kTrunkColumns), kFacing);
   // Holes in the scan cut pieces of cloth off: what lies on the surface between their neighbours
   // joins.
   const LimbView whole{trunk, map, {}};
@@ -147,8 +158,8 @@ void Finder::add_limbs() {
         beside_torso(whole, samples.positions[s]))
       members.push_back(static_cast<int>(s));
   if (members.size() > before)
-    map =
-        make_limb_map(samples, members, trunk, 0.0, body.neck, kTrunkStep, kTrunkColumns, kFacing);
+    map = make_limb_map(samples, members, trunk, 0.0, body.neck, fine.step(kTrunkStep),
+                        fine.columns(kTrunkColumns), kFacing);
   out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
   for (const std::string& limb : pattern.panel_limbs)
     out.upper_body = out.upper_body || limb != "torso";
@@ -157,7 +168,8 @@ void Finder::add_limbs() {
     if (!body.arms[side].present()) continue;
     const LimbAxis axis = arm_axis(body, side);
     members = arm_members(samples, body, axis, side, taken);
-    map = make_limb_map(samples, members, axis, -0.12, axis.s_max(), kArmStep, kArmColumns);
+    map = make_limb_map(samples, members, axis, -0.12, axis.s_max(), fine.step(kArmStep),
+                        fine.columns(kArmColumns));
     out.limbs.emplace(side == 0 ? "left_arm" : "right_arm",
                       LimbView{axis, std::move(map), std::move(members)});
   }
@@ -165,7 +177,8 @@ void Finder::add_limbs() {
   members.clear();
   for (int m : out.limbs.at("torso").members)
     if (samples.positions[m].y() > body.neck - 0.25) members.push_back(m);
-  map = make_limb_map(samples, members, neck, 0.0, 0.26, kNeckStep, kNeckColumns, 0.1);
+  map = make_limb_map(samples, members, neck, 0.0, 0.26, fine.step(kNeckStep),
+                      fine.columns(kNeckColumns), 0.1);
   out.limbs.emplace("neck", LimbView{neck, std::move(map), std::move(members)});
 }
 
@@ -196,8 +209,9 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   }
   if (!found.found.found()) missing(edge.name, found.found);
   if (!taken.empty()) {
-    const LimbMap hidden = make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0,
-                                         body.neck, kTrunkStep, kTrunkColumns, kFacing);
+    const LimbMap hidden =
+        make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0, body.neck,
+                      fine.step(kTrunkStep), fine.columns(kTrunkColumns), kFacing);
     found.covered = covered_share(view, hidden, found) > 0.5;
   }
   if (given == said.end() && !found.covered &&
@@ -291,7 +305,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
                                 const std::vector<std::uint8_t>& taken,
                                 const std::map<std::string, double>& said) {
-  Finder finder{samples, body, pattern, title, taken, said, {}};
+  Finder finder{samples, body, pattern, title, taken, said, Resolution(samples), {}};
   finder.add_limbs();
   double best_cuff = -1;
   const FoundEdge* cuff = nullptr;

@@ -17,10 +17,11 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kGirthShare = 0.012, kPathShare = 0.01, kLeastDeviation = 0.004;
 constexpr double kTiltError = 1.5;  // m of girth for a metre of height of the waist (design notes)
 
-constexpr double kSteepest = 3.5;     // m of girth per m, a full circle skirt has 2 pi
-constexpr double kWaving = 1.5;       // m of doubt in a girth per m that its edge waves up and down
-constexpr double kHalfSlice = 0.004;  // m, half the thickness of a slice that is outlined
-constexpr double kWidestSlice = 0.6;  // m from its centre
+constexpr double kSteepest = 3.5;  // m of girth per m, a full circle skirt has 2 pi
+constexpr double kWaving = 1.5;    // m of doubt in a girth per m that its edge waves up and down
+constexpr double kOutlineReach = 0.006;  // m, see outline_length
+constexpr double kHalfSlice = 0.004;     // m, half the thickness of a slice that is outlined
+constexpr double kWidestSlice = 0.6;     // m from its centre
 
 /// The plane an edge lies in, nearly.
 struct EdgePlane {
@@ -41,6 +42,10 @@ struct Observer {
       if (cloth[m]) kept.push_back(m);
     return kept;
   }
+
+  /// Slices of thin scans are thicker, and their gaps wider.
+  double half_slice() const { return std::max(kHalfSlice, 0.6 * samples.spacing); }
+  double reach() const { return std::max(kOutlineReach, 1.2 * samples.spacing); }
 
   const GarmentEdge* edge(const std::string& name) const {
     const auto it = edges.edges.find(name);
@@ -76,12 +81,12 @@ double Observer::slice_girth(const GarmentEdge& e, const EdgePlane& plane, doubl
   for (int m : view.members) {
     if (!cloth[m]) continue;
     const Vec3 d = samples.positions[m] - plane.centre;
-    if (std::abs(d.dot(towards) - inside) < kHalfSlice &&
+    if (std::abs(d.dot(towards) - inside) < half_slice() &&
         d.squaredNorm() < kWidestSlice * kWidestSlice)
       points.emplace_back(d.dot(plane.a), d.dot(plane.b));
   }
   double bridged = 0;
-  const double length = outline_length(points, Vec2::Zero(), 0.006, &bridged);
+  const double length = outline_length(points, Vec2::Zero(), reach(), &bridged);
   return bridged < 0.4 ? length : 0.0;
 }
 
@@ -177,10 +182,10 @@ ObservedLength Observer::girth_at_offset(const Observation& o) const {
     const Vec3 centre = view.axis.point({y, 0, 0});
     for (int m : view.members) {
       const Vec3 d = samples.positions[m] - centre;
-      if (cloth[m] && std::abs(d.y()) < kHalfSlice) points.emplace_back(d.x(), d.z());
+      if (cloth[m] && std::abs(d.y()) < half_slice()) points.emplace_back(d.x(), d.z());
     }
     double bridged = 0;
-    out.value = outline_length(points, Vec2::Zero(), 0.006, &bridged);
+    out.value = outline_length(points, Vec2::Zero(), reach(), &bridged);
     out.standard_deviation = (0.03 + bridged) * out.value + kLeastDeviation;
     out.seen = out.value > 0 && bridged < 0.4;
     return out;

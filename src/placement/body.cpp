@@ -80,7 +80,9 @@ std::map<std::string, double> Body::landmarks() const {
 Body find_body(const SurfaceSamples& samples, double height) {
   Body body;
   body.height = height;
-  const Slices slices = slice_body(samples);
+  // Thin scans need thicker slices, or their outlines fall apart.
+  const Slices slices = slice_body(samples, std::max(0.01, 1.2 * samples.spacing),
+                                   std::max(0.012, 2.2 * samples.spacing));
   const std::vector<bool> in_trunk = follow_trunk(slices, samples, body);
   find_arms(samples, in_trunk, body);
   body.fork = find_fork(body);
