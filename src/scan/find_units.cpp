@@ -19,8 +19,9 @@ constexpr std::array<Unit, 4> kUnits = {
 
 constexpr double kShortest = 0.5, kTallest = 2.3;             // m, a whole person
 constexpr double kShortestGiven = 0.25, kTallestGiven = 3.0;  // m, what one may insist on
-constexpr double kChildsHead =
-    0.125;  // width of the head in body heights: an adult's is 0.09, a baby's 0.2
+// Height of the neck over that of the head's top: an adult's is 0.86 or more, a child's of a metre
+// 0.8, a baby's 0.75. The width of the head tells less, because of hair.
+constexpr double kChildsNeck = 0.83;
 
 std::string text(double value) {
   std::array<char, 32> buffer{};
@@ -51,12 +52,12 @@ FileUnit find_unit(double height, const PersonLikeness& likeness) {
   if (fitting.size() == 1) return {std::string(fitting[0].name), fitting[0].metres, ""};
   // Only centimetres and inches overlap.
   const bool head_seen = likeness.head >= 0.3;
-  const bool child = head_seen && likeness.head_width > kChildsHead;
+  const bool child = head_seen && likeness.neck_t < kChildsNeck * likeness.head_top_t;
   const Unit& chosen = fitting[child ? 0 : 1];
   return {std::string(chosen.name), chosen.metres,
           "the body is " + text(height) + " file units tall: taken as " +
               (child ? "a child in cm" : "an adult in inch") +
-              (head_seen ? " by the size of its head" : "") + "; if not, give --units"};
+              (head_seen ? " by its proportions" : "") + "; if not, give --units"};
 }
 
 FileUnit given_unit(const std::string& unit, double height) {

@@ -17,8 +17,8 @@ struct FileUnit {
 double metres_of(const std::string& unit);
 
 /// The unit in which a person of `height` file units is 0.5 to 2.3 m tall. Centimetres and inches
-/// overlap (a child of 0.5 to 0.9 m or an adult): the size of the head decides, and says so. Throws
-/// NoPersonError when no unit fits.
+/// overlap (a child of 0.5 to 0.9 m or an adult): the proportions of the head decide, and that is
+/// said. Throws NoPersonError when no unit fits.
 FileUnit find_unit(double height, const PersonLikeness& likeness);
 
 /// A unit someone has given. Throws NoPersonError when a body of that height is no person at all.
