@@ -22,7 +22,8 @@ namespace {
 constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
 constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
 constexpr double kCloudSpacing =
-    1.75;  // mean spacing over median distance to the nearest neighbour
+    1.75;                             // mean spacing over median distance to the nearest neighbour
+constexpr double kLeastLength = 0.5;  // of the template's shortest: two edges nearer are one
 constexpr std::size_t kMostGarments = 8;
 
 class Stopwatch {
@@ -173,6 +174,18 @@ void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
   }
 }
 
+/// A body's own shape may show two edges close together; no garment is that short.
+void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
+  for (const ObservedLength& o : observed) {
+    if (!o.seen || o.observation->kind != Observation::Kind::Path) continue;
+    for (const Dimension& d : garment.dimensions())
+      if (d.name == o.observation->equals && o.value < kLeastLength * d.lower)
+        throw NoGarmentError("no " + garment.name() + " on this scan: its " + o.observation->edge +
+                             " and its " + o.observation->to_edge + " would lie only " +
+                             centimetres(o.value) + " apart; ask for the garment that is worn");
+  }
+}
+
 GarmentAnalysis analyze_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
                                 Stage& stage, std::vector<std::uint8_t>& cap,
                                 std::vector<std::string>& warnings) {
@@ -187,6 +200,7 @@ GarmentAnalysis analyze_garment(const Scan& scan, const GarmentTemplate& garment
   const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
   const std::vector<ObservedLength> observed =
       observe(stage.samples, stage.body, edges, cloth, garment);
+  check_lengths(garment, observed);
   const auto solved = solve_dimensions(garment, observed);
   for (const Dimension& d : garment.dimensions()) {
     out.measurements.push_back(measurement_of(d, solved.at(d.name), observed, edges));
