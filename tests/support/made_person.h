@@ -71,16 +71,16 @@ struct MadePerson {
 inline std::vector<Tube> person_tubes(const PersonPlan& plan) {
   // u points to the front, v to the person's left: a is half the depth, b half the width.
   Tube trunk;
-  trunk.stations = {{0.80, 0.05, 0.06}, {0.88, 0.145, 0.15},  {1.03, 0.125, 0.125},
+  trunk.stations = {{0.80, 0.06, 0.06}, {0.88, 0.13, 0.15},   {1.03, 0.125, 0.125},
                     {1.24, 0.12, 0.16}, {1.36, 0.10, 0.165},  {1.43, 0.075, 0.135},
                     {1.50, 0.05, 0.05}, {1.62, 0.095, 0.078}, {1.75, 0.02, 0.02}};
   std::vector<Tube> tubes{trunk};
   for (const double side : {1.0, -1.0}) {
     Tube leg;
-    leg.stations = {{0.0, 0.05, 0.042, 0.0, side * 0.10},
-                    {0.45, 0.055, 0.055, 0.0, side * 0.095},
-                    {0.78, 0.075, 0.072, 0.0, side * 0.09},
-                    {0.92, 0.065, 0.06, 0.0, side * 0.07}};
+    leg.stations = {{0.0, 0.05, 0.042, 0.0, side * 0.095},
+                    {0.45, 0.06, 0.052, 0.0, side * 0.09},
+                    {0.80, 0.10, 0.065, 0.0, side * 0.085},
+                    {0.94, 0.10, 0.06, 0.0, side * 0.07}};
     tubes.push_back(leg);
   }
   for (const double side : {1.0, -1.0}) {
@@ -113,10 +113,10 @@ inline MadePerson make_person(const PersonPlan& plan) {
   for (std::size_t i = 0; i < person.tubes.size(); ++i) {
     std::vector<Tube> others = person.tubes;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    // A scanner does not see what a skirt hides, but for what shows below and inside the hem.
+    // A scanner does not see what a skirt hides, but for a little above the hem.
     if (plan.skirt) {
       Tube hidden = skirt_tube(*plan.skirt);
-      hidden.stations.front().t += 0.08;
+      hidden.stations.front().t += 0.03;
       others.push_back(hidden);
     }
     add_tube(person.tubes[i], plan.edge, others, person.mesh);
@@ -150,11 +150,16 @@ inline MadePerson make_person(const PersonPlan& plan) {
   return person;
 }
 
-/// The person as a scan whose frame is the body frame.
-inline Scan scan_of(const Mesh& mesh) {
+/// Points scattered at random have their nearest neighbour, in the median, this many times as far
+/// away as the side of the square each stands for: sqrt(ln 2 / pi).
+constexpr double kNearestShare = 0.4697;
+
+/// A mesh or cloud in the body frame as a scan. `nearest`: median distance between neighbours, m.
+inline Scan scan_of(const Mesh& mesh, double nearest = 0.008) {
   Scan scan;
   scan.mesh = mesh;
   scan.facts.height = MadePerson::kHeight;
+  scan.facts.spacing = nearest;
   scan.facts.units = "m";
   scan.facts.up = "+y";
   scan.facts.front = "+z";
