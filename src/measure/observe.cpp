@@ -193,22 +193,23 @@ ObservedLength Observer::girth_at_offset(const Observation& o) const {
     if (e->covered) return out;
     // Along each meridian down the cloth until the offset is used up.
     for (int j = 0; j < view.map.columns; ++j) {
-      double used = 0;
-      int i = static_cast<int>(std::lround(view.map.row_of(e->found.s[j])));
-      double last_r = e->found.r[j];
-      int last_i = i;
+      double used = 0, last_s = e->found.s[j], last_r = e->found.r[j];
+      int i = static_cast<int>(std::lround(view.map.row_of(last_s)));
       while (used < o.offset) {
         i += direction > 0 ? 1 : -1;
         if (i < 0 || i >= view.map.rows) break;
-        if (!view.map.has(i, j) && std::abs(i - last_i) < 10) continue;
+        const double passed = std::abs(view.map.row_s(i) - last_s);
+        if (!view.map.has(i, j) && passed < 10 * view.map.step) continue;
         const double r = view.map.has(i, j) ? view.map.radius[view.map.index(i, j)] : last_r;
-        // Steps of a centimetre, so that noise does not lengthen the way.
-        if (std::abs(i - last_i) * view.map.step < 0.02) continue;
-        used += std::hypot(std::abs(i - last_i) * view.map.step, r - last_r);
-        last_r = r, last_i = i;
+        // Steps of two centimetres, so that noise does not lengthen the way; the last is cut off.
+        if (passed < 0.02) continue;
+        const double way = std::hypot(passed, r - last_r);
+        const double share = std::min(1.0, (o.offset - used) / way);
+        used += way;
+        last_s += share * (view.map.row_s(i) - last_s), last_r += share * (r - last_r);
       }
       if (i < 0 || i >= view.map.rows) continue;
-      curve.push_back(view.axis.point({view.map.row_s(last_i), view.map.column_phi(j), last_r}));
+      curve.push_back(view.axis.point({last_s, view.map.column_phi(j), last_r}));
     }
   }
   if (static_cast<int>(curve.size()) < view.map.columns * 2 / 3) return out;
