@@ -38,6 +38,12 @@ class AnalyzeMadeSkirt : public testing::TestWithParam<Case> {
     plan.left_arm = plan.right_arm = GetParam().arms;
     return plan;
   }
+  /// What a length may be off, m. The line round scattered points swells in the gaps between them,
+  /// by 1 / (4 (n reach)^2) of its length for n points a metre and the outline's reach of 6 mm: up
+  /// to 2 % here, half of which is averaged away.
+  static double tolerance(double length) {
+    return 0.01 + (GetParam().cloud > 0 ? 0.01 * length : 0);
+  }
   static Scan scan_of(const MadePerson& person) {
     const double spacing = GetParam().cloud;
     if (spacing <= 0) return test::scan_of(person.mesh, plan().edge);
@@ -59,14 +65,14 @@ TEST_P(AnalyzeMadeSkirt, FindsItsDimensionsEdgesAndVertices) {
   for (const char* name : {"waist", "width", "length"}) {
     const Measurement& m = measured(skirt, name);
     EXPECT_TRUE(m.observable) << name;
-    EXPECT_NEAR(m.flat, truth.at(name), 0.01) << name;
+    EXPECT_NEAR(m.flat, truth.at(name), tolerance(truth.at(name))) << name;
     ASSERT_TRUE(m.worn.has_value()) << name;
-    EXPECT_NEAR(*m.worn, truth.at(name), 0.01) << name;
+    EXPECT_NEAR(*m.worn, truth.at(name), tolerance(truth.at(name))) << name;
     EXPECT_LE(m.low, truth.at(name)) << name;
     EXPECT_GE(m.high, truth.at(name)) << name;
   }
   // The hip line hangs on the waist's height as well.
-  EXPECT_NEAR(measured(skirt, "hip").flat, truth.at("hip"), 0.02);
+  EXPECT_NEAR(measured(skirt, "hip").flat, truth.at("hip"), 0.01 + tolerance(truth.at("hip")));
 
   ASSERT_EQ(skirt.edges.size(), 2U);
   for (const EdgeCurve& edge : skirt.edges) {
