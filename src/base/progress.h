@@ -6,7 +6,8 @@
 namespace regarment {
 
 /// Told after each step of a long stage; answers "stop" by returning false.
-/// `stage` is a short name for a person ("read", "measure"); `fraction` runs from 0 to 1 in a stage.
+/// `stage` is a short name for a person ("read", "measure"); `fraction` runs from 0 to 1 in a
+/// stage.
 using ProgressCallback = std::function<bool(std::string_view stage, double fraction)>;
 
 /// Passes progress down through the stages. Copyable, cheap, safe to use from the calling thread

@@ -10,6 +10,8 @@
 namespace regarment {
 namespace {
 
+constexpr double kLowestCrotch = 0.42;  // of the height: legs that join lower down are in a skirt
+
 double width_of(const TrunkLevel& level) { return level.x_max - level.x_min; }
 
 /// First level, going up, from which the trunk is one piece or suddenly much deeper than the legs.
@@ -86,6 +88,7 @@ Body find_body(const SurfaceSamples& samples, double height) {
   const std::vector<bool> in_trunk = follow_trunk(slices, samples, body);
   find_arms(samples, in_trunk, body);
   body.fork = find_fork(body);
+  body.fork_is_garment = body.fork < kLowestCrotch * height;
   find_neck(body);
   return body;
 }
