@@ -1,12 +1,12 @@
 #include "analysis/analyze.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "garment/springs.h"
 #include "geometry/point_tree.h"
 #include "measure/garment_region.h"
@@ -25,17 +25,6 @@ constexpr double kCloudSpacing =
     1.75;                             // mean spacing over median distance to the nearest neighbour
 constexpr double kLeastLength = 0.5;  // of the template's shortest: two edges nearer are one
 constexpr std::size_t kMostGarments = 8;
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// What all garments of a scan share.
 struct Stage {

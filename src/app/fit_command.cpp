@@ -1,10 +1,10 @@
-#include <chrono>
 #include <thread>
 #include <utility>
 
 #include "analysis/analyze.h"
 #include "app/commands.h"
 #include "base/one_line.h"
+#include "base/stopwatch.h"
 #include "garment/find_template.h"
 #include "report/ground_truth.h"
 #include "report/label_score.h"
@@ -17,18 +17,6 @@ namespace regarment {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Stopwatch {
- public:
-  /// Seconds since the last lap, or since it was made.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<GarmentTemplate> find_templates(const std::vector<std::string>& names) {
   std::vector<GarmentTemplate> out;
