@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/fit_trace.h"
 #include "garment/pattern.h"
 #include "scan/scan.h"
 
@@ -42,6 +43,11 @@ struct GarmentAnalysis {
   std::size_t vertices_labelled = 0;
   double mean_distance = 0.0;  // m, draped garment to the scan, area-weighted mean
   double mean_stretch = 1.0;   // mean of spring length over rest length
+  /// Per scan vertex, m: from the draped garment to the vertex, positive outside of the garment;
+  /// NaN where the vertex is not this garment's. Empty when the method drapes nothing.
+  std::vector<float> deviation;
+  std::optional<FitTrace> trace;  // of the methods that search
+  ErrorTerms terms;               // of Eq. (1) at the result, when there is a trace
 };
 
 struct StageTime {

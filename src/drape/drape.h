@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/progress.h"
+#include "drape/attraction.h"
+#include "drape/cloth.h"
+
+namespace regarment {
+
+struct DrapeOptions {
+  // k_s of sec. 3.2, N/m. Larger keeps lengths more strictly.
+  double spring_stiffness = 100.0;
+  // k_d of sec. 3.2, N s/m. Larger takes motion along the springs out faster.
+  double spring_damping = 0.05;
+  // k_e of Bridson et al. 2003, N m. Larger makes smoother folds.
+  double bending_stiffness = 1e-5;
+  // k_d of Bridson et al. 2003, N m s.
+  double bending_damping = 1e-6;
+  // k_a of sec. 3.2, N/m. Larger follows the scan more closely and shows less of a wrong size.
+  double attraction_stiffness = 4.0;
+  AttractionOptions attraction;
+  // Downwards, m/s^2; 0 as in the paper, whose cloth is held by the attraction alone.
+  double gravity = 0.0;
+  // Cloth-scan contact [sec. 3.2: off, it works against the attraction and lengths come out too
+  // large].
+  bool collisions = false;
+  double contact_stiffness = 200.0;  // N/m
+  double contact_thickness = 0.002;  // m, the cloth stays this far outside of the scan
+
+  double first_step = 0.02, least_step = 1e-4, largest_step = 0.25;  // s
+  int max_steps = 200;
+  // At rest when no particle moves faster than this, m/s, and the mean distance (m) and the mean
+  // stretch change by less than these per step, three steps in a row.
+  double rest_speed = 0.01, rest_distance_change = 1e-5, rest_stretch_change = 1e-4;
+
+  void check() const;  // throws InvalidInput naming the field and its value
+};
+
+enum class DrapeEnding { CameToRest, StepLimit };
+
+/// What a drape came to.
+struct DrapeOutcome {
+  DrapeEnding ending = DrapeEnding::StepLimit;
+  int steps = 0;             // accepted
+  int rejected = 0;          // repeated with a smaller step
+  double largest_speed = 0;  // m/s at the end
+  double mean_distance = 0;  // E_dist, m
+  double mean_stretch = 1;   // E_stretch
+};
+
+/// Lets the cloth move until it lies at rest on the scan [sec. 3.2]: springs, bending and
+/// attraction, integrated semi-implicitly [Baraff and Witkin 1998] with an adaptive step. Moves
+/// `cloth`. Deterministic. Throws InvalidInput for cloth that is empty, not finite or whose parts
+/// do not match, and when `scan` is empty; Stopped from progress.
+DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options = {},
+                   const Progress& progress = {});
+
+}  // namespace regarment

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "drape/drape.h"
+#include "fit/fit_trace.h"
+#include "garment/garment_template.h"
+#include "optim/annealed_simplex.h"
+
+namespace regarment {
+
+struct FitOptions {
+  DrapeOptions drape;
+  AnnealedSimplexOptions search;
+  int runs = 3;  // from different seeds; the smallest error is kept [sec. 4]
+  std::uint64_t seed = 1;
+  int threads = 0;            // at most; 0: as many as the machine has
+  double first_edge = 0.1;    // edges of the first simplex, share of each dimension
+  int silhouette_size = 256;  // pixels
+  bool square_root = true;    // of the stretch term, as printed in Eq. (1)
+
+  void check() const;  // throws InvalidInput naming the field and its value
+};
+
+/// A garment fitted by the paper's search.
+struct GarmentFit {
+  FitTrace trace;
+  Dimensions dimensions;  // of the best evaluation of the best run, m
+  ErrorTerms terms;       // there
+  double error = 0;
+  std::vector<Vec3> draped;  // the garment there, body frame, m, one per pattern vertex
+  DrapeOutcome drape;        // how that drape ended
+};
+
+/// What a garment is fitted to.
+struct FitTarget {
+  const Mesh& scan;                  // body frame, m; mesh or cloud with normals
+  std::vector<std::uint8_t> masked;  // per triangle (mesh) or point (cloud): does not attract
+};
+
+/// Finds the dimensions with the smallest error of Eq. (1), by draping the garment again for each
+/// trial [Hasler et al. 2007, sec. 3.3]. `placed`: where `pattern`, at its starting dimensions,
+/// lies on the body (place_garment). The drape of a trial starts from that of the trial before.
+/// Progress says run, evaluation, smallest error and the time left. The same bytes for any number
+/// of threads. Throws NoGarmentError when no drape shows a silhouette, InvalidInput, Stopped.
+GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
+                       const Pattern& pattern, const std::vector<Vec3>& placed,
+                       const FitTarget& target, const FitOptions& options,
+                       const Progress& progress = {});
+
+}  // namespace regarment
