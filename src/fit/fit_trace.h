@@ -43,6 +43,7 @@ struct FitRun {
 struct FitTrace {
   std::vector<std::string> names;  // of the dimensions, the template's order
   ErrorWeights weights;            // chosen once, before the runs, the same for all of them
+  bool square_root = true;         // of the stretch term, as printed in Eq. (1)
   std::vector<FitRun> runs;
   std::size_t best_run = 0;  // the one with the smallest error, which was kept
 };
