@@ -13,10 +13,13 @@ struct DrapeOptions {
   double spring_damping = 0.05;
   // k_e of Bridson et al. 2003, N m. Larger makes smoother folds.
   double bending_stiffness = 1e-5;
-  // k_d of Bridson et al. 2003, N m s.
+  // k_d of Bridson et al. 2003, N s. Larger takes folding motion out faster.
   double bending_damping = 1e-6;
   // k_a of sec. 3.2, N/m. Larger follows the scan more closely and shows less of a wrong size.
   double attraction_stiffness = 4.0;
+  // Share of k_a that a step expects along the surface, 0..1. Larger moves more carefully over
+  // rough scans and slides more slowly; where the cloth comes to rest does not depend on it.
+  double attraction_grip = 0.1;
   AttractionOptions attraction;
   // Downwards, m/s^2; 0 as in the paper, whose cloth is held by the attraction alone.
   double gravity = 0.0;
@@ -27,9 +30,15 @@ struct DrapeOptions {
   double contact_thickness = 0.002;  // m, the cloth stays this far outside of the scan
 
   double first_step = 0.02, least_step = 1e-4, largest_step = 0.25;  // s
+  // A step is repeated with half its time when a particle would move farther, m, or the mean
+  // stretch would change by more. Smaller is safer and slower.
+  double largest_move = 0.05, largest_stretch_change = 0.1;
+  // Each step's linear system is solved until its residual has fallen to this share. Smaller costs
+  // time and gains little, since the next step sees what is left.
+  double solver_tolerance = 1e-2;
   int max_steps = 200;
   // At rest when no particle moves faster than this, m/s, and the mean distance (m) and the mean
-  // stretch change by less than these per step, three steps in a row.
+  // stretch change by less than these per step, three steps in a row of at least `first_step`.
   double rest_speed = 0.01, rest_distance_change = 1e-5, rest_stretch_change = 1e-4;
 
   void check() const;  // throws InvalidInput naming the field and its value

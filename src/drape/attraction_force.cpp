@@ -1,0 +1,40 @@
+#include "drape/attraction_force.h"
+
+namespace regarment {
+namespace {
+
+// Nearer than this the direction to the target is noise, m; the scan's own normal is taken.
+constexpr double kNear = 0.002;
+
+/// Unit vector across the scan's surface at the target; zero when there is none.
+Vec3 across(const Attraction& target, const Vec3& d) {
+  if (target.distance < kNear && !target.normal.isZero(0)) return target.normal;
+  return target.distance > 0 ? Vec3(d / target.distance) : Vec3::Zero();
+}
+
+}  // namespace
+
+double AttractionForce::energy(const Cloth& cloth) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < cloth.size(); ++i)
+    if (targets[i].pulls)
+      sum += 0.5 * stiffness * (targets[i].target - cloth.positions[i]).squaredNorm();
+  return sum;
+}
+
+void AttractionForce::add_forces(const Cloth& cloth, std::vector<Vec3>& forces) const {
+  for (std::size_t i = 0; i < cloth.size(); ++i)
+    if (targets[i].pulls) forces[i] += stiffness * (targets[i].target - cloth.positions[i]);
+}
+
+void AttractionForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const {
+  for (std::size_t i = 0; i < cloth.size(); ++i) {
+    if (!targets[i].pulls) continue;
+    const Vec3 n = across(targets[i], targets[i].target - cloth.positions[i]);
+    const Mat3 block = n.isZero(0) ? Mat3(Mat3::Identity())
+                                   : Mat3(grip * Mat3::Identity() + (1 - grip) * n * n.transpose());
+    jacobian.by_position.add(static_cast<int>(i), -stiffness * block);
+  }
+}
+
+}  // namespace regarment
