@@ -18,6 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Nelder and Mead's own coefficients, as steps from the centre away from the worst corner.
 constexpr double kReflect = 1, kExpand = 2, kContract = 0.5, kShrink = 0.5;
 constexpr double kNoise = 0.1;    // share of the position tolerance below which values do not count
+constexpr double kFlat = 0.1;     // of the first edges: a warm simplex as flat as this is stuck
 constexpr double kRestart = 0.5;  // edges of a new simplex over those of the one before
 
 struct Corner {
@@ -50,6 +51,7 @@ class Search {
 
   bool warm() const { return temperature() > 0; }
   bool spent() const { return evaluations_ >= options_.max_evaluations; }
+  bool flat() const;
   bool at_rest() const;
   const Corner& best() const { return best_; }
   double value_tolerance() const { return options_.value_tolerance * spread_; }
@@ -166,6 +168,16 @@ void Search::move() {
   }
 }
 
+/// Pressed against a side of the box, or shrunk in a valley: it can no longer move every way.
+bool Search::flat() const {
+  VectorXd low = simplex_.front().at, high = low;
+  for (const Corner& corner : simplex_) {
+    low = low.cwiseMin(corner.at);
+    high = high.cwiseMax(corner.at);
+  }
+  return (high - low).cwiseQuotient(edges_).cwiseAbs().minCoeff() <= kFlat;
+}
+
 bool Search::at_rest() const {
   double low = kInfinity, high = -kInfinity, apart = 0;
   for (const Corner& corner : simplex_) {
@@ -232,7 +244,10 @@ SearchResult minimize_annealed(const std::function<double(const VectorXd&)>& f,
   search.start(start);
   double share = 1;
   if (search.warm()) {
-    while (search.warm() && !search.spent()) search.move();
+    while (search.warm() && !search.spent()) {
+      search.move();
+      if (search.flat()) search.restart(1);
+    }
     search.restart(share *= kRestart);
   }
   SearchEnding ending = SearchEnding::EvaluationLimit;

@@ -13,7 +13,7 @@ struct AnnealedSimplexOptions {
   // valleys and takes longer to come to rest; 0 is the plain method of Nelder and Mead.
   double start_temperature = 0.5;
   // Exponent of the cooling T = T0 (1 - k / K)^exponent at evaluation k. Larger cools earlier.
-  double cooling_exponent = 2.0;
+  double cooling_exponent = 1.0;
   // K as a share of `max_evaluations`, 0..1: what is left descends without temperature.
   double cooling_share = 0.7;
   // Ends a cooled search when the simplex's values differ by at most this share of the spread of
@@ -31,7 +31,7 @@ struct SearchStep {
   Eigen::VectorXd at;
   double value = 0;        // infinity in place of a value that is not finite
   double best = 0;         // smallest value so far, this one included
-  double temperature = 0;  // in units of the value; 0 while the first simplex is made
+  double temperature = 0;  // in units of the value; 0 while a simplex is made
 };
 
 enum class SearchEnding {
@@ -56,11 +56,13 @@ using SearchObserver = std::function<void(const SearchStep&)>;
 ///
 /// The first simplex is `start` and `start + edge_i e_i`; an edge that would leave the box is
 /// turned round, or cut at the farther side of a narrow box. Trial points outside the box are moved
-/// to its nearest point; sides may be infinite. Once cooled, and each time the simplex has come to
-/// rest, the search starts again round the best point so far, with edges half as long as the time
-/// before, until that finds nothing better. `f` may be noisy or drift: a stored value is only
-/// measured again by such a new start. A value that is not finite counts as larger than any other.
-/// Same input and random state, same steps; a constant added to `f` or a factor changes none.
+/// to its nearest point; sides may be infinite. A simplex that has become flat while it is warm is
+/// made again, of the first size, round the best point so far. Once cooled, and each time the
+/// simplex has come to rest, the search starts again round the best point so far, with edges half
+/// as long as the time before, until that finds nothing better. `f` may be noisy or drift: a stored
+/// value is only measured again by such a new start. A value that is not finite counts as larger
+/// than any other. Same input and random state, same steps; a constant added to `f` or a factor
+/// changes none.
 ///
 /// Throws InvalidInput for options out of range, no dimension or sizes that do not match, a start
 /// outside the box or not finite, an edge that is zero or not finite, a box without width. What `f`
