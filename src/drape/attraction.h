@@ -27,6 +27,7 @@ struct Attraction {
   double distance = 0;         // |target - particle|, m
   bool found = false;          // false: nothing of the scan may attract this particle
   bool pulls = false;          // found, and not rejected
+  double weight = 1;           // share of k_a it is pulled with, 0..1
 };
 
 /// Closest points of the scan for all particles. `scan` must outlive the call.

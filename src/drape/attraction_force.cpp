@@ -18,13 +18,15 @@ double AttractionForce::energy(const Cloth& cloth) const {
   double sum = 0;
   for (std::size_t i = 0; i < cloth.size(); ++i)
     if (targets[i].pulls)
-      sum += 0.5 * stiffness * (targets[i].target - cloth.positions[i]).squaredNorm();
+      sum += 0.5 * stiffness * targets[i].weight *
+             (targets[i].target - cloth.positions[i]).squaredNorm();
   return sum;
 }
 
 void AttractionForce::add_forces(const Cloth& cloth, std::vector<Vec3>& forces) const {
   for (std::size_t i = 0; i < cloth.size(); ++i)
-    if (targets[i].pulls) forces[i] += stiffness * (targets[i].target - cloth.positions[i]);
+    if (targets[i].pulls)
+      forces[i] += targets[i].weight * stiffness * (targets[i].target - cloth.positions[i]);
 }
 
 void AttractionForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const {
@@ -33,7 +35,7 @@ void AttractionForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) 
     const Vec3 n = across(targets[i], targets[i].target - cloth.positions[i]);
     const Mat3 block = n.isZero(0) ? Mat3(Mat3::Identity())
                                    : Mat3(grip * Mat3::Identity() + (1 - grip) * n * n.transpose());
-    jacobian.by_position.add(static_cast<int>(i), -stiffness * block);
+    jacobian.by_position.add(static_cast<int>(i), -targets[i].weight * stiffness * block);
   }
 }
 

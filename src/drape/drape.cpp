@@ -7,6 +7,7 @@
 #include "drape/attraction_force.h"
 #include "drape/bending_force.h"
 #include "drape/contact_force.h"
+#include "drape/hesitation.h"
 #include "drape/spring_force.h"
 #include "drape/time_step.h"
 
@@ -114,6 +115,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
   ForceJacobian jacobian = make_jacobian(cloth);
   TimeStep time_step(cloth);
   Surroundings around = look_around(cloth, scan, options);
+  Hesitation hesitation(cloth.positions, around.targets);
   DrapeOutcome outcome;
   judge(cloth, around, outcome);
   RestWatch rest(options, outcome);
@@ -137,6 +139,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
     }
     ++outcome.steps;
     around = look_around(cloth, scan, options);
+    hesitation.weigh(cloth.positions, around.targets);
     judge(cloth, around, outcome);
     rest.observe(outcome, h);
     h = std::min(options.largest_step, kGrow * h);

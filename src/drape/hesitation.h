@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "drape/attraction.h"
+
+namespace regarment {
+
+/// Particles that keep changing their mind. Where two parts of the scan face each other, or at the
+/// border of a hole, the closest allowed point may jump to and fro as the particle moves, and the
+/// cloth would never rest. Each jump halves how strongly such a particle is pulled for the rest of
+/// the drape: its neighbours decide where it goes.
+class Hesitation {
+ public:
+  /// Both as they are at the start, one entry per particle.
+  Hesitation(std::vector<Vec3> positions, std::vector<Attraction> targets);
+
+  /// Sets the weights of the targets found after a step.
+  void weigh(const std::vector<Vec3>& positions, std::vector<Attraction>& targets);
+
+ private:
+  std::vector<Vec3> last_positions_;
+  std::vector<Attraction> last_;
+};
+
+}  // namespace regarment
