@@ -31,6 +31,31 @@ std::string whole_number(const std::string& text) {
   return "'" + text + "' is no whole number of at most 15 digits";
 }
 
+// What --method annealing can be told; the defaults are the paper's.
+void add_annealing(CLI::App& fit, FitArguments& a) {
+  const auto add = [&](CLI::Option* option) { return option->group("Method annealing"); };
+  add(fit.add_option("--runs", a.runs, "Searches from different seeds; the best is kept"))
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  add(fit.add_option("--segment-distance", a.segment_distance_mm,
+                     "Scan this near to the draped garment is labelled garment, mm"))
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  add(fit.add_option("--attraction", a.attraction,
+                     "What attracts the cloth: surface of similar normals, or the closest"))
+      ->check(CLI::IsMember({"normals", "closest"}))
+      ->capture_default_str();
+  add(fit.add_option("--normal-angle", a.normal_angle_deg,
+                     "Largest angle between normals that are similar, degrees"))
+      ->check(CLI::Range(1.0, 180.0))
+      ->capture_default_str();
+  add(fit.add_flag("--collisions", a.collisions, "Keep the cloth outside of the scan"));
+  add(fit.add_flag("!--no-cap-detection", a.cap_detection,
+                   "Let surface invented under a hem attract the cloth"));
+  add(fit.add_flag("!--no-border-rejection", a.border_rejection,
+                   "Let the border of an open scan attract the cloth"));
+}
+
 CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   const std::vector<std::string> axes = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"};
   CLI::App* fit = app.add_subcommand("fit", "Measure the garments of a dressed person in a scan");
@@ -40,7 +65,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
       ->required();
   fit->add_option("--out", a.out, "Folder for the result")->required();
   fit->add_flag("--force", a.force, "Replace a folder that is not empty");
-  fit->add_option("--method", a.method, "How to find the dimensions: direct")
+  fit->add_option("--method", a.method, "How to find the dimensions: direct or annealing")
       ->capture_default_str();
   fit->add_option("--seed", a.seed, "Same seed, same bytes")
       ->check(whole_number)
@@ -62,6 +87,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
   fit->add_option("--ground-truth-labels", a.ground_truth_labels,
                   "True labels, one byte per vertex");
+  add_annealing(*fit, a);
   add_speech(*fit, a.speech);
   return fit;
 }
@@ -117,11 +143,12 @@ void check_value(const std::string& option, const std::filesystem::path& value) 
 }
 
 void check_method(const std::string& method) {
-  if (method == "direct") return;
-  if (method == "annealing" || method == "joint") {
-    throw UsageError("--method " + method + " does not exist yet; use --method direct");
+  if (method == "direct" || method == "annealing") return;
+  if (method == "joint") {
+    throw UsageError("--method joint does not exist yet; use --method direct or annealing");
   }
-  throw UsageError("--method: '" + one_line(method, 60) + "' is unknown; use --method direct");
+  throw UsageError("--method: '" + one_line(method, 60) +
+                   "' is unknown; use --method direct or annealing");
 }
 
 void check(const FitArguments& a) {

@@ -25,6 +25,10 @@ struct FitArguments {
   std::string method = "direct", units = "auto", up = "auto", front = "auto";
   std::uint64_t seed = 1;
   int threads = 0;  // 0: as many as the machine has
+  int runs = 3;
+  double segment_distance_mm = 10, normal_angle_deg = 60;
+  std::string attraction = "normals";
+  bool collisions = false, cap_detection = true, border_rejection = true;
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
 };
 

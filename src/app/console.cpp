@@ -30,32 +30,40 @@ Console::Console(const Speech& speech, const StopSignal& stop)
 Console::~Console() { clear_bar(); }
 
 Progress Console::progress() {
-  return Progress([this](std::string_view stage, double fraction) {
-    if (!speech_.quiet && terminal_) show_bar(stage, fraction);
-    if (!speech_.quiet && !terminal_) show_line(stage, fraction);
+  return Progress([this](std::string_view stage, double fraction, std::string_view detail) {
+    if (!speech_.quiet && terminal_) show_bar(stage, fraction, detail);
+    if (!speech_.quiet && !terminal_) show_line(stage, fraction, detail);
     return !stop_.asked();
   });
 }
 
 // Off a terminal a stage is told once it is over, so that a run that fails at once says one line.
-void Console::show_line(std::string_view stage, double fraction) {
-  if (stage != stage_ && !stage_.empty()) (void)put(STDERR_FILENO, stage_ + "\n");
-  if (stage != stage_) stage_ = stage;
+void Console::show_line(std::string_view stage, double fraction, std::string_view detail) {
+  if (stage != stage_) {
+    if (!stage_.empty()) (void)put(STDERR_FILENO, stage_ + "\n");
+    stage_ = stage, tenth_ = 0;
+  }
+  const int tenth = static_cast<int>(10 * std::clamp(fraction, 0.0, 1.0));
+  if (!detail.empty() && tenth > tenth_) {
+    tenth_ = tenth;
+    (void)put(STDERR_FILENO, stage_ + ": " + std::string(detail) + "\n");
+  }
   if (fraction < 1.0) return;
   (void)put(STDERR_FILENO, stage_ + "\n");
   stage_.clear();
 }
 
-void Console::show_bar(std::string_view stage, double fraction) {
+void Console::show_bar(std::string_view stage, double fraction, std::string_view detail) {
   constexpr int kWidth = 30;
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
-  if (stage == stage_ && percent == percent_) return;
+  if (stage == stage_ && percent == percent_ && detail == detail_) return;
   stage_ = stage;
+  detail_ = detail;
   percent_ = percent;
   const auto full = static_cast<std::size_t>(kWidth * percent / 100);
   // Progress nobody reads is no failure.
-  (void)put(STDERR_FILENO,
-            "\r\x1b[K" + std::string(full, '#') + std::string(kWidth - full, '.') + " " + stage_);
+  (void)put(STDERR_FILENO, "\r\x1b[K" + std::string(full, '#') + std::string(kWidth - full, '.') +
+                               " " + stage_ + (detail_.empty() ? "" : ": " + detail_));
 }
 
 void Console::clear_bar() {

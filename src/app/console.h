@@ -17,8 +17,9 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// Draws a bar on a terminal, writes a line for each stage done elsewhere, says nothing when
-  /// quiet; answers "stop" once a signal came. Lives no longer than the console.
+  /// Draws a bar on a terminal; elsewhere writes a line for each stage done and for each tenth of a
+  /// stage that has something to say; says nothing when quiet; answers "stop" once a signal came.
+  /// Lives no longer than the console.
   Progress progress();
 
   /// A line for a person on standard output; silent when quiet or when the result goes there as
@@ -32,15 +33,17 @@ class Console {
   bool wants_json() const { return speech_.json; }
 
  private:
-  void show_line(std::string_view stage, double fraction);
-  void show_bar(std::string_view stage, double fraction);
+  void show_line(std::string_view stage, double fraction, std::string_view detail);
+  void show_bar(std::string_view stage, double fraction, std::string_view detail);
   void clear_bar();
 
   Speech speech_;
   const StopSignal& stop_;
   bool terminal_;
   std::string stage_;
+  std::string detail_;
   int percent_ = -1;
+  int tenth_ = 0;  // of the stage, last told off a terminal
 };
 
 }  // namespace regarment

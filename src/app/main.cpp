@@ -44,22 +44,15 @@ struct Run {
   }
 };
 
-int stopped(const StopSignal& stop) {
-  const bool interrupted = stop.exit_status() == 130;
-  return fail(stop.exit_status(), std::string("stopped by ") +
-                                      (interrupted ? "SIGINT" : "SIGTERM") +
-                                      "; nothing was written, run it again to have the result");
-}
-
 int run(int argc, const char* const* argv) {
   const StopSignal stop;
   try {
     std::visit(Run{stop}, parse_command_line(argc, argv));
     return 0;
   } catch (const Stopped&) {
-    return stopped(stop);
+    return stop.tell();
   } catch (const Error& error) {
-    if (stop.asked()) return stopped(stop);
+    if (stop.asked()) return stop.tell();
     return fail(error.exit_status(), error.what());
   } catch (const std::bad_alloc&) {
     return fail(kTemporary, "out of memory; give the program more or a scan with fewer vertices");

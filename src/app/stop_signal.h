@@ -21,6 +21,9 @@ class StopSignal {
   /// 130 for SIGINT, 143 for SIGTERM, 0 when neither came.
   int exit_status() const;
 
+  /// Says once on standard error which signal stopped the program, and returns exit_status().
+  int tell() const;
+
  private:
   std::thread watcher_;
 };

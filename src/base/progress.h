@@ -10,18 +10,24 @@ namespace regarment {
 /// stage.
 using ProgressCallback = std::function<bool(std::string_view stage, double fraction)>;
 
+/// The same with a line for a person on how the stage goes ("run 2, evaluation 40 of 500"), empty
+/// when there is nothing to say.
+using DetailedCallback =
+    std::function<bool(std::string_view stage, double fraction, std::string_view detail)>;
+
 /// Passes progress down through the stages. Copyable, cheap, safe to use from the calling thread
 /// only. A default-constructed Progress says nothing and never stops.
 class Progress {
  public:
   Progress() = default;
-  explicit Progress(ProgressCallback callback) : callback_(std::move(callback)) {}
+  explicit Progress(ProgressCallback callback);
+  explicit Progress(DetailedCallback callback) : callback_(std::move(callback)) {}
 
   /// Throws Stopped when the callback answers "stop".
-  void report(std::string_view stage, double fraction) const;
+  void report(std::string_view stage, double fraction, std::string_view detail = {}) const;
 
  private:
-  ProgressCallback callback_;
+  DetailedCallback callback_;
 };
 
 }  // namespace regarment

@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "drape/drape.h"
+#include "fit/fit_target.h"
 #include "fit/fit_trace.h"
 #include "garment/garment_template.h"
 #include "optim/annealed_simplex.h"
@@ -32,12 +33,6 @@ struct GarmentFit {
   double error = 0;
   std::vector<Vec3> draped;  // the garment there, body frame, m, one per pattern vertex
   DrapeOutcome drape;        // how that drape ended
-};
-
-/// What a garment is fitted to.
-struct FitTarget {
-  const Mesh& scan;                  // body frame, m; mesh or cloud with normals
-  std::vector<std::uint8_t> masked;  // per triangle (mesh) or point (cloud): does not attract
 };
 
 /// Finds the dimensions with the smallest error of Eq. (1), by draping the garment again for each

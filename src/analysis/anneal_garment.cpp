@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/stage.h"
+#include "base/error.h"
+#include "fit/fit_garment.h"
+#include "geometry/parallel.h"
+#include "segmentation/caps.h"
+#include "segmentation/segment_by_distance.h"
+
+namespace regarment {
+namespace {
+
+/// What of the scan neither attracts the cloth nor shows in silhouettes: outliers, and the caps
+/// that a reconstruction put under a hem, which the paper's authors cut out by hand (Fig. 5).
+std::vector<std::uint8_t> masked_parts(const Scan& scan, const std::vector<std::uint8_t>& caps) {
+  if (scan.mesh.is_cloud()) return scan.outlier;
+  std::vector<std::uint8_t> masked(scan.mesh.triangles.size(), 0);
+  for (std::size_t t = 0; t < masked.size(); ++t) {
+    const Triangle& corners = scan.mesh.triangles[t];
+    masked[t] = (t < caps.size() && caps[t] != 0) ||
+                std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+                  return !scan.outlier.empty() && scan.outlier[v] != 0;
+                });
+  }
+  return masked;
+}
+
+/// How far each vertex labelled as this garment's lies outside of the draped garment.
+std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment,
+                                const Labels& labels) {
+  const ClosestPoint cloth{std::span(garment.draped), std::span(garment.pattern.triangles)};
+  std::vector<float> out(scan.mesh.positions.size(), std::numeric_limits<float>::quiet_NaN());
+  parallel_for(out.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (labels.label[v] != garment.layer) continue;
+      const ClosestHit hit = cloth.closest(scan.mesh.positions[v]);
+      if (!hit.found()) continue;
+      const double outside = (scan.mesh.positions[v] - hit.point).dot(hit.normal);
+      out[v] = static_cast<float>(std::copysign(std::sqrt(hit.squared_distance), outside));
+    }
+  });
+  return out;
+}
+
+}  // namespace
+
+GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
+                               Stage& stage, const Progress& progress) {
+  GarmentAnalysis out;
+  out.template_name = garment.name();
+  out.layer = layer;
+  const Dimensions start = garment.typical();
+  out.pattern = make_pattern(garment, start, stage.options.pattern_edge_length);
+  const GarmentEdges edges = edges_on(stage, out.pattern, garment, layer);
+  const GarmentRegion region(edges, stage.body);
+  const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
+  const std::vector<std::uint8_t> caps =
+      stage.options.cap_detection ? find_caps(scan, edges) : std::vector<std::uint8_t>{};
+  out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));
+  out.edges = edge_curves(edges);
+
+  const FitTarget target(scan.mesh, masked_parts(scan, caps), scan.facts.spacing,
+                         stage.options.fit.silhouette_size);
+  const GarmentFit fit =
+      fit_garment(garment, start, out.pattern, out.placed, target, stage.options.fit, progress);
+  out.dimensions = fit.dimensions;
+  move_pattern(garment, out.dimensions, out.pattern);
+  out.draped = fit.draped;
+  out.trace = fit.trace;
+  out.terms = fit.terms;
+  for (const Dimension& d : garment.dimensions()) {
+    Measurement m;
+    m.name = d.name, m.code = d.code;
+    m.flat = out.dimensions.at(d.name);
+    m.low = d.lower, m.high = d.upper;
+    out.measurements.push_back(m);
+  }
+  judge_drape(stage, cloth, out);
+  segment_by_distance(scan, out.pattern, out.draped, stage.options.segment_distance, layer,
+                      stage.labels);
+  out.deviation = deviation_of(scan, out, stage.labels);
+  take(stage, cloth, caps, out);
+  warn_about(garment, edges, out, stage.warnings);
+  return out;
+}
+
+}  // namespace regarment

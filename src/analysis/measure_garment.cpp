@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "analysis/stage.h"
+#include "base/error.h"
+#include "measure/lay_on_scan.h"
+#include "measure/observe.h"
+#include "segmentation/caps.h"
+
+namespace regarment {
+namespace {
+
+constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
+constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
+constexpr double kLeastLength = 0.5;     // of the template's shortest: two edges nearer are one
+
+/// Is this length a tight one, worn longer than flat? Waists, hips and whatever is measured below a
+/// waist.
+bool is_tight(const ObservedLength& o, const GarmentEdges& edges) {
+  const auto edge = edges.edges.find(o.observation->edge);
+  return edge != edges.edges.end() && edge->second.limb == "torso" && !edge->second.garment_above &&
+         o.observation->kind != Observation::Kind::Path;
+}
+
+Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
+                           const std::vector<ObservedLength>& observed, const GarmentEdges& edges) {
+  Measurement m;
+  m.name = d.name, m.code = d.code;
+  m.flat = solved.value;
+  m.observable = solved.observable;
+  m.low = std::max(d.lower, m.flat - kNormal90 * solved.standard_deviation);
+  m.high = std::min(d.upper, m.flat + kNormal90 * solved.standard_deviation);
+  if (!solved.observable) {
+    m.low = d.lower, m.high = d.upper;
+    return m;
+  }
+  double sum = 0, weight = 0;
+  for (const ObservedLength& o : observed) {
+    if (!o.seen || o.observation->equals != d.name) continue;
+    const double w = 1 / (o.standard_deviation * o.standard_deviation);
+    sum += w * o.value, weight += w;
+    if (is_tight(o, edges))
+      m.low =
+          std::min(m.low, m.flat * (1 - kFabricStretch) - kNormal90 * solved.standard_deviation);
+  }
+  m.worn = weight > 0 ? sum / weight : solved.value;
+  return m;
+}
+
+/// A body's own shape may show two edges close together; no garment is that short.
+void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
+  for (const ObservedLength& o : observed) {
+    if (!o.seen || o.observation->kind != Observation::Kind::Path) continue;
+    for (const Dimension& d : garment.dimensions())
+      if (d.name == o.observation->equals && o.value < kLeastLength * d.lower)
+        throw NoGarmentError("no " + garment.name() + " on this scan: its " + o.observation->edge +
+                             " and its " + o.observation->to_edge + " would lie only " +
+                             centimetres(o.value) + " apart; ask for the garment that is worn");
+  }
+}
+
+}  // namespace
+
+GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
+                                Stage& stage) {
+  GarmentAnalysis out;
+  out.template_name = garment.name();
+  out.layer = layer;
+  out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
+  const GarmentEdges edges = edges_on(stage, out.pattern, garment, layer);
+  const GarmentRegion region(edges, stage.body);
+  const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
+  const std::vector<ObservedLength> observed =
+      observe(stage.samples, stage.body, edges, cloth, garment);
+  check_lengths(garment, observed);
+  const auto solved = solve_dimensions(garment, observed);
+  for (const Dimension& d : garment.dimensions()) {
+    out.measurements.push_back(measurement_of(d, solved.at(d.name), observed, edges));
+    out.dimensions[d.name] = solved.at(d.name).value;
+  }
+  out.dimensions = garment.nearest_possible(out.dimensions);
+  move_pattern(garment, out.dimensions, out.pattern);
+  out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));
+  out.edges = edge_curves(edges);
+  std::map<std::string, std::vector<Vec3>> curves;
+  for (const EdgeCurve& e : out.edges)
+    if (e.evidence != "covered") curves[e.name] = e.points;
+  out.draped = lay_on_scan(out.pattern, out.placed, stage.samples, cloth, curves);
+  judge_drape(stage, cloth, out);
+  label_region(scan, stage.parts, region, layer, stage.labels);
+  take(stage, cloth, find_caps(scan, edges), out);
+  warn_about(garment, edges, out, stage.warnings);
+  return out;
+}
+
+}  // namespace regarment

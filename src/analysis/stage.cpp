@@ -1,0 +1,122 @@
+#include "analysis/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "garment/springs.h"
+#include "geometry/point_tree.h"
+
+namespace regarment {
+
+GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentTemplate& garment,
+                      int layer) {
+  return find_garment_edges(stage.samples, stage.body, pattern, garment.name(),
+                            layer > 1 ? stage.taken : std::vector<std::uint8_t>{},
+                            stage.options.placement.edges);
+}
+
+std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region) {
+  std::vector<std::uint8_t> cloth(stage.samples.size(), 0);
+  for (std::size_t s = 0; s < cloth.size(); ++s)
+    cloth[s] =
+        stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
+  return cloth;
+}
+
+PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern) {
+  PlacementTarget target;
+  target.limbs = &edges.limbs;
+  for (const auto& [name, edge] : edges.edges) target.edge_s[name] = edge.found.s;
+  for (const auto& [name, edge] : edges.edges) {
+    if (!edge.covered) continue;
+    double t_low = 1e9, t_high = -1e9, mean = 0, n = 0;
+    for (const Vec2& p : pattern.flat)
+      t_low = std::min(t_low, p.y()), t_high = std::max(t_high, p.y());
+    for (const auto& [other_name, other] : edges.edges)
+      if (other.limb == edge.limb && !other.covered)
+        for (double s : other.found.s) mean += s, n += 1;
+    if (n == 0) continue;
+    const double s = mean / n + (edge.garment_above ? -1 : 1) * (t_high - t_low);
+    target.edge_s[name].assign(edge.found.s.size(), s);
+  }
+  return target;
+}
+
+std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges) {
+  std::vector<EdgeCurve> out;
+  for (const auto& [name, edge] : edges.edges) {
+    const LimbView& view = edges.limbs.at(edge.limb);
+    EdgeCurve curve;
+    curve.name = name;
+    curve.points = edge_points(edge.found, view.map, view.axis);
+    curve.standard_error = edge.found.standard_error;
+    curve.coverage = edge.found.coverage;
+    curve.evidence = edge.covered ? "covered" : edge.found.evidence;
+    out.push_back(std::move(curve));
+  }
+  return out;
+}
+
+void judge_drape(const Stage& stage, const std::vector<std::uint8_t>& cloth, GarmentAnalysis& out) {
+  std::vector<Vec3> positions;
+  for (std::size_t s = 0; s < cloth.size(); ++s)
+    if (cloth[s]) positions.push_back(stage.samples.positions[s]);
+  if (positions.empty()) return;
+  const PointTree tree(positions);
+  const std::vector<double> areas = triangle_areas(out.pattern);
+  double sum = 0, weight = 0;
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    const Triangle& t = out.pattern.triangles[f];
+    PointNeighbour nearest;
+    const Vec3 middle = (out.draped[t[0]] + out.draped[t[1]] + out.draped[t[2]]) / 3;
+    if (tree.nearest(middle, {&nearest, 1}) == 0) continue;
+    sum += areas[f] * std::sqrt(nearest.squared_distance), weight += areas[f];
+  }
+  if (weight > 0) out.mean_distance = sum / weight;
+  const std::vector<Spring> links = springs(out.pattern);
+  double stretch = 0;
+  for (const Spring& s : links)
+    stretch += (out.draped[s.vertex_a] - out.draped[s.vertex_b]).norm() / s.rest_length;
+  if (!links.empty()) out.mean_stretch = stretch / static_cast<double>(links.size());
+}
+
+void take(Stage& stage, const std::vector<std::uint8_t>& cloth,
+          const std::vector<std::uint8_t>& caps, GarmentAnalysis& out) {
+  for (std::size_t s = 0; s < cloth.size(); ++s)
+    if (cloth[s]) stage.taken[s] = 1;
+  for (std::size_t f = 0; f < caps.size(); ++f) stage.cap[f] = stage.cap[f] != 0 || caps[f] != 0;
+  out.vertices_labelled = static_cast<std::size_t>(std::count(
+      stage.labels.label.begin(), stage.labels.label.end(), static_cast<std::uint8_t>(out.layer)));
+}
+
+std::string centimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f cm", 100 * metres);
+  return text;
+}
+
+void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
+                const GarmentAnalysis& found, std::vector<std::string>& warnings) {
+  for (const auto& [name, edge] : edges.edges) {
+    if (edge.covered)
+      warnings.push_back(garment.title() + ": its " + name +
+                         " is covered by another garment; what depends on it is not measured");
+    else if (edge.found.coverage < 0.7)
+      warnings.push_back(garment.title() + ": its " + name + " shows on " +
+                         std::to_string(static_cast<int>(100 * edge.found.coverage)) +
+                         " % of the loop only; check the pictures");
+  }
+  const auto left = edges.edges.find("left_cuff"), right = edges.edges.find("right_cuff");
+  if (edges.upper_body && (left == edges.edges.end() || right == edges.edges.end()))
+    warnings.push_back(garment.title() + ": one sleeve is not seen; the other one stands for both");
+  for (const Measurement& m : found.measurements) {
+    const Dimension& d = garment.dimension(m.name);
+    if (m.observable && (m.flat <= d.lower || m.flat >= d.upper))
+      warnings.push_back(garment.title() + ": " + d.title + " ends at the bound of the template, " +
+                         centimetres(m.flat) + "; it may be a different garment");
+  }
+}
+
+}  // namespace regarment

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/closest_point.h"
+#include "render/camera.h"
+#include "render/silhouette.h"
+
+namespace regarment {
+
+/// What a garment is fitted to: the whole person's surface, for closest points, and the person's
+/// silhouettes from four sides, drawn once [Hasler et al. 2007, sec. 3.3]. Immutable; several runs
+/// may share it.
+class FitTarget {
+ public:
+  /// `scan`: body frame, m, mesh or cloud with normals. `masked`: per triangle of a mesh, per point
+  /// of a cloud: 1 = neither attracts nor counts; or empty. `spacing`: m, mean distance between
+  /// the points of a cloud, which are drawn as squares of that size; not used for a mesh.
+  /// Silhouettes are masks of `silhouette_size` x `silhouette_size` pixels. Draws in the thread
+  /// that calls. Throws InvalidInput when nothing is left unmasked.
+  FitTarget(const Mesh& scan, const std::vector<std::uint8_t>& masked, double spacing,
+            int silhouette_size);
+
+  const ClosestPoint& surface() const { return surface_; }
+  const std::vector<Silhouette>& silhouettes() const { return silhouettes_; }
+  const std::vector<Camera>& cameras() const { return cameras_; }
+
+ private:
+  ClosestPoint surface_;
+  std::vector<Camera> cameras_;  // front, left, back, right
+  std::vector<Silhouette> silhouettes_;
+};
+
+}  // namespace regarment

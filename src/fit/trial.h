@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "drape/drape.h"
+#include "fit/fit_target.h"
+#include "fit/fit_trace.h"
+#include "garment/garment_template.h"
+#include "garment/pattern.h"
+#include "render/silhouette.h"
+
+namespace regarment {
+
+/// One garment that is draped again and again with other dimensions. Keeps where the cloth lay
+/// last: the next drape starts there, only rest lengths and masses change [Hasler et al. 2007,
+/// sec. 3.1]. Draws with the context of its thread: make and use it in one thread.
+class Trial {
+ public:
+  /// Borrows `garment` and `target`. `placed`: one position per vertex of `pattern`, body frame, m.
+  Trial(const GarmentTemplate& garment, const Pattern& pattern, const std::vector<Vec3>& placed,
+        const FitTarget& target, const DrapeOptions& options);
+
+  /// Drapes the garment at these dimensions, which must make a garment, and judges it by the terms
+  /// of Eq. (1). Throws as `drape` and `silhouette_error` do.
+  ErrorTerms judge(const Dimensions& dimensions, const Progress& progress = {});
+
+  const DrapeOutcome& outcome() const { return outcome_; }  // of the last judge()
+  const Cloth& cloth() const { return cloth_; }
+
+ private:
+  const GarmentTemplate& garment_;
+  const FitTarget& target_;
+  DrapeOptions options_;
+  Pattern pattern_;
+  Cloth cloth_;
+  DrapeOutcome outcome_;
+  SilhouetteRenderer renderer_;
+};
+
+}  // namespace regarment

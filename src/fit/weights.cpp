@@ -1,0 +1,38 @@
+#include "fit/weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+// Below these a term is as good as zero, and a weight made from it would be endless.
+constexpr double kLeastDistance = 1e-5;  // m
+constexpr double kLeastStretch = 0.01;   // of |1 - E_stretch|
+constexpr double kLeastSilhouette = 0.01;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+ErrorWeights balance(std::span<const ErrorTerms> samples) {
+  if (samples.empty()) throw InvalidInput("balance: no samples of the error terms");
+  std::vector<double> distance, stretch, silhouette;
+  for (const ErrorTerms& terms : samples) {
+    distance.push_back(terms.distance);
+    stretch.push_back(std::abs(1 - terms.stretch));
+    silhouette.push_back(terms.silhouette);
+  }
+  const double size = std::max(median(distance), kLeastDistance);
+  return {1.0, size / std::sqrt(std::max(median(stretch), kLeastStretch)),
+          size / std::max(median(silhouette), kLeastSilhouette)};
+}
+
+}  // namespace regarment
