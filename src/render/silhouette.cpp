@@ -25,6 +25,21 @@ void check_mesh(std::span<const Triangle> triangles, std::size_t vertex_count, i
   }
 }
 
+/// True when both look along one line from opposite ends, so that their pictures are mirror images:
+/// right is left, up is up, and the pictures' middles are the same point.
+bool opposite(const Camera& a, const Camera& b) {
+  return a.centre == b.centre && a.pixels_per_metre == b.pixels_per_metre &&
+         a.view_from_body.row(0) == -b.view_from_body.row(0) &&
+         a.view_from_body.row(1) == b.view_from_body.row(1);
+}
+
+Silhouette mirrored(Silhouette silhouette) {
+  auto& pixels = silhouette.covered;
+  for (auto row = pixels.begin(); row != pixels.end(); row += silhouette.size)
+    std::reverse(row, row + silhouette.size);
+  return silhouette;
+}
+
 }  // namespace
 
 std::size_t Silhouette::area() const {
@@ -121,12 +136,17 @@ std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions
   glViewport(0, 0, s.size, s.size);
   s.stage(positions, origin);
   s.shader.use();
-  for (const Camera& camera : cameras) {
+  for (std::size_t c = 0; c < cameras.size(); ++c) {
+    const Camera& camera = cameras[c];
     if (camera.width != s.size || camera.height != s.size) {
       throw InvalidInput("a silhouette of " + std::to_string(s.size) + " pixels got a camera of " +
                          std::to_string(camera.width) + " x " + std::to_string(camera.height));
     }
-    silhouettes.push_back(s.draw(camera, origin));
+    const auto drawn = std::find_if(cameras.begin(), cameras.begin() + c,
+                                    [&](const Camera& other) { return opposite(camera, other); });
+    silhouettes.push_back(drawn == cameras.begin() + c
+                              ? s.draw(camera, origin)
+                              : mirrored(silhouettes[drawn - cameras.begin()]));
   }
   s.context.check("silhouettes");
   return silhouettes;

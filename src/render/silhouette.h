@@ -32,8 +32,9 @@ class SilhouetteRenderer {
 
   /// One mask per camera, whose pictures must be size x size. `positions`: body frame, m, one per
   /// vertex. Edges are placed to a 256th of a pixel; a centre exactly on an edge counts once.
-  /// Everything is drawn whatever its depth. Throws InvalidInput for another count of positions,
-  /// one that cannot be drawn, or a camera of another size.
+  /// Everything is drawn whatever its depth. A camera opposite to one before it gets that one's
+  /// mask mirrored: seen from the other end, the outline is the same. Throws InvalidInput for
+  /// another count of positions, one that cannot be drawn, or a camera of another size.
   std::vector<Silhouette> draw(std::span<const Vec3> positions, std::span<const Camera> cameras);
 
  private:

@@ -85,6 +85,30 @@ TEST(Silhouette, OppositeSidesAreMirrorImages) {
   }
 }
 
+TEST(Silhouette, OfCamerasThatAreNotQuiteOppositeAreTheirOwn) {
+  const Mesh mesh = test::random_triangles(9, 5);
+  std::vector<Camera> cameras = square_cameras(bounding_box(mesh.positions), 96);
+  Camera aside = cameras[2], nearer = cameras[2], upside_down = cameras[2];
+  aside.centre.x() += 0.1;
+  nearer.pixels_per_metre *= 1.2;
+  upside_down.view_from_body.row(1) *= -1;
+  cameras.insert(cameras.end(), {aside, nearer, upside_down});
+  SilhouetteRenderer renderer(mesh.triangles, mesh.positions.size(), 96);
+  const std::vector<Silhouette> masks = renderer.draw(mesh.positions, cameras);
+  for (std::size_t v = 4; v < cameras.size(); ++v) {
+    EXPECT_GT(masks[v].area(), 100U);
+    const test::FlatTriangles truth(mesh, cameras[v]);
+    for (int y = 0; y < 96; ++y) {
+      for (int x = 0; x < 96; ++x) {
+        const auto hit = truth.at({x + 0.5, y + 0.5});
+        if (hit.to_edge < kSnap) continue;
+        ASSERT_EQ(masks[v].covered[std::size_t(y * 96 + x)] != 0, hit.triangle >= 0)
+            << "camera " << v << " pixel " << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST(Silhouette, FollowsVerticesThatMoveAndForgetsWhereTheyWere) {
   const Mesh mesh = test::box_mesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   Mesh smaller = mesh;
