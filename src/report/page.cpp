@@ -7,8 +7,9 @@
 namespace regarment {
 
 std::string report_page(const Result& result, const PageParts& parts) {
-  if (parts.drawings.size() != result.garments.size()) {
-    throw InvalidInput("one drawing per garment is needed");
+  if (parts.drawings.size() != result.garments.size() ||
+      parts.evaluations.size() != result.garments.size()) {
+    throw InvalidInput("one drawing and one table of evaluations per garment are needed");
   }
   Gaps page;
   page.set("style", embedded_text("report.css"));
@@ -19,6 +20,7 @@ std::string report_page(const Result& result, const PageParts& parts) {
   }
   page.set("garments", std::move(garments));
   show_figures(result, parts, page);
+  show_searches(result, parts, page);
   show_scan(result, page);
   show_labels(result, page);
   show_settings(result, page);

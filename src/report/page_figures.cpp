@@ -13,11 +13,14 @@ struct Look {
   const char* caption;
 };
 
-constexpr std::array<Look, 4> kLooks = {{
+constexpr std::array<Look, 5> kLooks = {{
     {"scan", "Scan", "The scan as it was read."},
     {"segmentation", "Segmentation", "Each vertex in the colour of its label; grey is the person."},
     {"placement", "Placement", "Where the garment starts, before it is laid on the scan."},
     {"drape", "Garment", "The garment found, laid on the scan."},
+    {"deviation", "Deviation",
+     "How far the scan lies from the garment: red-brown where it is outside of the garment, blue "
+     "where it is inside. Grey is what is not this garment's."},
 }};
 
 std::string media_type(const std::string& file, std::string_view bytes) {
@@ -74,6 +77,7 @@ void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
     gaps.set("caption", look.caption);
     gaps.set("first", row.size() == 1);
     gaps.set("figures", std::move(figures));
+    if (std::string_view(look.kind) == "deviation") gaps.set("legends", show_deviations(result));
   }
   page.set("has_figures", !before.empty() || !after.empty());
   page.set("pair", pair_of(before, after));

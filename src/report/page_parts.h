@@ -15,6 +15,14 @@ void show_verdict(const Result& result, Gaps& page);
 /// One garment, the `number`-th from 1 on: its measurement table, edges and drawing.
 Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& drawing);
 
+/// The legend of the deviation pictures: one histogram over the colour bar per garment that has
+/// deviations.
+std::vector<Gaps> show_deviations(const Result& result);
+
+/// How the dimensions were searched for: one section per garment that was, with its runs, the terms
+/// of E, and charts.
+void show_searches(const Result& result, const PageParts& parts, Gaps& page);
+
 /// What is known of the scan, and how to overrule what was guessed.
 void show_scan(const Result& result, Gaps& page);
 

@@ -5,6 +5,7 @@
 #include "garment/pattern_svg.h"
 #include "geometry/ply_writer.h"
 #include "render/heat_map.h"
+#include "report/evaluations_csv.h"
 #include "report/files.h"
 #include "report/measurements_csv.h"
 #include "report/output_folder.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostJson = 64u << 20;     // bytes of a stored result.json
 constexpr std::size_t kMostPicture = 16u << 20;  // and of a stored picture or drawing
+constexpr std::size_t kMostTable = 17u << 20;    // more than a table may have, so that it is told
 
 std::vector<Vec3> in_file(const Scan& scan, const std::vector<Vec3>& p_in_body) {
   std::vector<Vec3> out;
@@ -77,6 +79,9 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
   }
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
     parts.drawings.push_back(read_file(folder / numbered("pattern", i, ".svg"), kMostPicture));
+    parts.evaluations.emplace_back();
+    if (!result.garments[i].search) continue;
+    parts.evaluations.back() = read_file(folder / numbered("evaluations", i, ".csv"), kMostTable);
   }
   return parts;
 }
@@ -88,13 +93,15 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
   Result result = make_result(analysis, templates, options);
   result.figures = pictures.figures;
   ReportFiles files(pictures.bytes.begin(), pictures.bytes.end());
-  PageParts parts{pictures.bytes, {}};
+  PageParts parts{pictures.bytes, {}, {}};
   for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
     const GarmentAnalysis& garment = analysis.garments[i];
     parts.drawings.push_back(pattern_svg(templates[i], garment.dimensions));
     files[numbered("pattern", i, ".svg")] = parts.drawings.back();
     files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
     files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
+    parts.evaluations.push_back(garment.trace ? evaluations_csv(*garment.trace) : "");
+    if (garment.trace) files[numbered("evaluations", i, ".csv")] = parts.evaluations.back();
   }
   files["labels.u8"] = labels_file(analysis.labels);
   files["segmented.ply"] = segmented_ply(analysis);

@@ -63,7 +63,9 @@ ResultMeasurement result_measurement(const Measurement& m, const GarmentTemplate
   return out;
 }
 
-ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTemplate& of) {
+// `range`: of the colours, m, one for all garments.
+ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTemplate& of,
+                             double range) {
   ResultGarment out;
   out.template_name = garment.template_name;
   out.title = of.title();
@@ -79,6 +81,12 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
   }
   out.mean_distance_m = rounded(finite(garment.mean_distance * 1e4, "a distance") / 1e4, 7);
   out.mean_stretch = finite(garment.mean_stretch, "a stretch");
+  if (garment.trace) {
+    out.search = make_search(garment, of);
+    out.mean_distance_m = out.search->terms.distance;
+    out.mean_stretch = out.search->terms.stretch;
+  }
+  out.deviation = summarize_deviation(garment.deviation, range);
   out.vertices_labelled = garment.vertices_labelled;
   return out;
 }
@@ -189,8 +197,9 @@ Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>&
   out.options = options.options;
   for (auto& [name, value] : out.options) value = one_line(value, 4096);
   out.scan = result_scan(analysis, options);
+  const double range = deviation_range(merged_deviation(analysis));
   for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
-    out.garments.push_back(result_garment(analysis.garments[i], templates[i]));
+    out.garments.push_back(result_garment(analysis.garments[i], templates[i], range));
   }
   out.command = command_line(out, options);
   count_labels(analysis, out);

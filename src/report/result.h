@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "analysis/analysis.h"
+#include "report/deviation.h"
 #include "report/label_score.h"
+#include "report/result_search.h"
 
 namespace regarment {
 
@@ -49,6 +51,8 @@ struct ResultGarment {
   std::vector<ResultMeasurement> measurements;
   std::vector<ResultEdge> edges;
   double mean_distance_m = 0, mean_stretch = 1;
+  std::optional<ResultSearch> search;        // of the methods that search
+  std::optional<ResultDeviation> deviation;  // of the methods that drape
   std::size_t vertices_labelled = 0;
 };
 
@@ -62,7 +66,7 @@ struct ResultScan {
 
 /// A picture stored beside result.json.
 struct StoredFigure {
-  std::string kind;           // "scan", "segmentation", "placement", "drape"
+  std::string kind;           // "scan", "segmentation", "placement", "drape", "deviation"
   std::string view;           // "front", "left", "back", "right"
   std::string file;           // "pictures/scan-front.jpg"
   int width = 0, height = 0;  // pixels

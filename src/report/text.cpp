@@ -25,11 +25,20 @@ std::string fixed_text(double value, int digits) {
 
 std::string cm_text(double metres) { return fixed_text(metres * 100.0, 1); }
 
-std::string signed_cm_text(double metres) {
-  std::string text = cm_text(metres);
-  if (text == "0.0") return text;
+std::string signed_cm_text(double metres) { return signed_text(metres * 100.0, 1); }
+
+std::string signed_text(double value, int digits) {
+  std::string text = fixed_text(value, digits);
+  if (text.find_first_not_of("0.") == std::string::npos) return text;
   if (text.front() != '-') return "+" + text;
   return std::string(kMinus) + text.substr(1);
+}
+
+std::string significant_text(double value, int digits) {
+  if (value == 0.0) return "0";
+  if (!std::isfinite(value)) return "?";
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return fixed_text(value, std::clamp(digits - before, 0, 12));
 }
 
 std::string count_text(std::size_t count) {
@@ -70,6 +79,13 @@ std::string base64(std::string_view bytes) {
       out += k <= have ? kAlphabet[(group >> (18 - 6 * k)) & 63] : '=';
     }
   }
+  return out;
+}
+
+double rounded_significant(double value, int digits) {
+  const std::string text = significant_text(value, digits);
+  double out = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), out);
   return out;
 }
 

@@ -78,6 +78,7 @@ inline Result example_result() {
 /// Parts without pictures and with an empty drawing per garment.
 inline PageParts bare_parts(const Result& result) {
   PageParts parts;
+  parts.evaluations.resize(result.garments.size());
   parts.drawings.assign(result.garments.size(), "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>");
   return parts;
 }
