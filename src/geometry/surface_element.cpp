@@ -1,5 +1,6 @@
 #include "geometry/surface_element.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -21,8 +22,12 @@ constexpr double kLargest = 1e150;
 
 bool usable(const Vec3& v) { return (v.array().abs() <= kLargest).all(); }  // false for NaN
 
-bool comes_before(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+bool is_direction(const Vec3& v) { return v.isZero(0) || std::abs(v.squaredNorm() - 1) <= 2e-4; }
+
+int compare_places(const Vec3& a, const Vec3& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] != b[axis]) return a[axis] < b[axis] ? -1 : 1;
+  return 0;
 }
 
 void require_size(std::size_t size, std::size_t count, const char* what) {
@@ -53,72 +58,27 @@ void require_corners(std::span<const Vec3> positions, const Triangle& triangle, 
   }
 }
 
-double longest_edge_squared(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+  return (b - a).cross(c - a).norm() > kNoArea * longest;
 }
 
-TriangleElement make_triangle(std::span<const Vec3> positions, const Triangle& triangle,
-                              std::size_t t, std::uint8_t border) {
+// Which corner of the triangle comes first, second and third by coordinates.
+std::array<int, 3> sorted_corners(std::span<const Vec3> positions, const Triangle& triangle) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-    return comes_before(positions[triangle[i]], positions[triangle[j]]);
+    return compare_places(positions[triangle[i]], positions[triangle[j]]) < 0;
   });
-  TriangleElement element;
-  for (int k = 0; k < 3; ++k) {
-    element.corners[k] = positions[triangle[order[k]]];
-    const int here = border >> order[k];
-    element.border = static_cast<std::uint8_t>(element.border | (here & 0x09) << k);
-  }
-  const Vec3& a = positions[triangle[0]];
-  element.normal = (positions[triangle[1]] - a).cross(positions[triangle[2]] - a).normalized();
-  element.index = static_cast<std::uint32_t>(t);
-  return element;
-}
-
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (b - a).cross(c - a).norm() > kNoArea * longest_edge_squared(a, b, c);
+  return order;
 }
 
 }  // namespace
 
-NearestPlace TriangleElement::nearest(const Vec3& query) const {
-  const Vec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], ap = query - corners[0];
-  const Vec3 doubled_area = ab.cross(ac);
-  const double squared = doubled_area.squaredNorm();
-  const double v = ap.cross(ac).dot(doubled_area) / squared;
-  const double w = ab.cross(ap).dot(doubled_area) / squared;
-  const std::array<double, 3> weights{1 - v - w, v, w};
-  const bool inside = weights[0] > kOnEdge && v > kOnEdge && w > kOnEdge;
-  const double length = ab.squaredNorm() + ac.squaredNorm();
-  const bool thin = !(squared > kThin * kThin * length * length);
-
-  NearestPlace best;
-  best.squared_distance = std::numeric_limits<double>::infinity();
-  if (inside || thin) {
-    const Vec3 point = corners[0] + std::clamp(v, 0.0, 1.0) * ab +
-                       std::clamp(w, 0.0, 1.0 - std::clamp(v, 0.0, 1.0)) * ac;
-    best = {point, (query - point).squaredNorm(), false};
-    if (!thin) return best;
-  }
-  // Outside, the nearest point is on an edge that has the query on its far side.
-  for (int k = 0; k < 3; ++k) {
-    if (!thin && weights[k] > kOnEdge) continue;
-    const int i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;  // the edge facing corner k, in their order
-    const Vec3 edge = corners[j] - corners[i];
-    const double along = (query - corners[i]).dot(edge) / edge.squaredNorm();
-    const int end = along <= 0 ? i : j;
-    const bool at_end = along <= 0 || along >= 1;
-    const Vec3 point = at_end ? corners[end] : Vec3(corners[i] + along * edge);
-    const double d = (query - point).squaredNorm();
-    if (d < best.squared_distance || (d == best.squared_distance && at_end))
-      best = {point, d, (border >> (at_end ? end : 3 + k) & 1) != 0};
-  }
-  return best;
-}
-
-std::vector<TriangleElement> triangle_elements(std::span<const Vec3> positions,
-                                               std::span<const Triangle> triangles,
-                                               std::span<const std::uint8_t> masked) {
+TriangleElements::TriangleElements(std::span<const Vec3> positions,
+                                   std::span<const Triangle> triangles,
+                                   std::span<const std::uint8_t> masked)
+    : places_(positions.begin(), positions.end()) {
   require_count(triangles.size());
   require_size(masked.size(), triangles.size(), "mask entries");
   std::vector<std::uint32_t> kept;
@@ -128,33 +88,119 @@ std::vector<TriangleElement> triangle_elements(std::span<const Vec3> positions,
     if (!leave_out) kept.push_back(static_cast<std::uint32_t>(t));
   }
   const std::vector<std::uint8_t> border = border_flags(triangles, kept, positions.size());
-  std::vector<TriangleElement> elements;
-  elements.reserve(kept.size());
+  items_.reserve(kept.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    const auto& [a, b, c] = triangles[kept[i]];
-    if (has_area(positions[a], positions[b], positions[c]))
-      elements.push_back(make_triangle(positions, triangles[kept[i]], kept[i], border[i]));
+    const Triangle& triangle = triangles[kept[i]];
+    if (!has_area(positions[triangle[0]], positions[triangle[1]], positions[triangle[2]])) continue;
+    const std::array<int, 3> order = sorted_corners(positions, triangle);
+    Item item;
+    item.index = kept[i];
+    for (int k = 0; k < 3; ++k) {
+      item.places[k] = triangle[order[k]];
+      item.border = static_cast<std::uint8_t>(item.border | (border[i] >> order[k] & 0x09) << k);
+    }
+    item.turned = (order[1] + 3 - order[0]) % 3 != 1;
+    items_.push_back(item);
   }
-  return elements;
 }
 
-std::vector<PointElement> point_elements(std::span<const Vec3> points,
-                                         std::span<const Vec3> normals,
-                                         std::span<const std::uint8_t> masked) {
+TriangleElements::TriangleElements(const TriangleElements& from,
+                                   std::span<const std::uint32_t> order) {
+  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> renumbered(from.places_.size(), kUnused);
+  items_.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    items_.push_back(from.items_[i]);
+    for (std::uint32_t& place : items_.back().places) {
+      std::uint32_t& number = renumbered[place];
+      if (number == kUnused) {
+        number = static_cast<std::uint32_t>(places_.size());
+        places_.push_back(from.places_[place]);
+      }
+      place = number;
+    }
+  }
+}
+
+Vec3 TriangleElements::normal(std::size_t i) const {
+  const auto [a, b, c] = corners(i);
+  const Vec3 across = (b - a).cross(c - a).normalized();
+  return items_[i].turned ? Vec3(-across) : across;
+}
+
+NearestPlace TriangleElements::nearest(std::size_t i, const Vec3& query) const {
+  const std::array<Vec3, 3> corner = corners(i);
+  const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0], ap = query - corner[0];
+  const Vec3 across = ab.cross(ac);
+  const double squared = across.squaredNorm();
+  const double v = ap.cross(ac).dot(across) / squared;
+  const double w = ab.cross(ap).dot(across) / squared;
+  const std::array<double, 3> weights{1 - v - w, v, w};
+  const bool inside = weights[0] > kOnEdge && v > kOnEdge && w > kOnEdge;
+  const double length = ab.squaredNorm() + ac.squaredNorm();
+  const bool thin = !(squared > kThin * kThin * length * length);
+
+  NearestPlace best;
+  best.squared_distance = std::numeric_limits<double>::infinity();
+  if (inside) {
+    const Vec3 point = corner[0] + v * ab + w * ac;
+    best = {point, (query - point).squaredNorm(), false};
+    if (!thin) return best;
+  }
+  // Outside, the nearest point is on an edge that has the query on its far side.
+  const int border = items_[i].border;
+  for (int k = 0; k < 3; ++k) {
+    if (!thin && weights[k] > kOnEdge) continue;
+    const int from = k == 0 ? 1 : 0, to = k == 2 ? 1 : 2;  // the edge facing corner k
+    const Vec3 edge = corner[to] - corner[from];
+    const double along = (query - corner[from]).dot(edge) / edge.squaredNorm();
+    const bool at_end = along <= 0 || along >= 1;
+    const int end = along <= 0 ? from : to;
+    const Vec3 point = at_end ? corner[end] : Vec3(corner[from] + along * edge);
+    const double squared_distance = (query - point).squaredNorm();
+    if (squared_distance < best.squared_distance ||
+        (squared_distance == best.squared_distance && at_end))
+      best = {point, squared_distance, (border >> (at_end ? end : 3 + k) & 1) != 0};
+  }
+  return best;
+}
+
+int TriangleElements::compare(std::size_t i, std::size_t j) const {
+  const std::array<Vec3, 3> a = corners(i), b = corners(j);
+  for (int k = 0; k < 3; ++k)
+    if (const int order = compare_places(a[k], b[k]); order != 0) return order;
+  return static_cast<int>(items_[i].turned) - static_cast<int>(items_[j].turned);
+}
+
+PointElements::PointElements(std::span<const Vec3> points, std::span<const Vec3> normals,
+                             std::span<const std::uint8_t> masked) {
   require_count(points.size());
   require_size(normals.size(), points.size(), "normals");
   require_size(masked.size(), points.size(), "mask entries");
-  std::vector<PointElement> elements;
-  elements.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!masked.empty() && masked[i] != 0) continue;
-    const Vec3 normal = normals.empty() ? Vec3::Zero() : normals[i];
-    if (!usable(points[i]) || !usable(normal))
-      throw InvalidInput("closest point: the position or normal of point " + std::to_string(i) +
-                         " is not finite");
-    elements.push_back({points[i], normal, static_cast<std::uint32_t>(i)});
+    if (!usable(points[i]))
+      throw InvalidInput("closest point: point " + std::to_string(i) + " is not finite");
+    if (!normals.empty() && !is_direction(normals[i]))
+      throw InvalidInput("closest point: the normal of point " + std::to_string(i) +
+                         " is neither of unit length nor zero");
+    points_.push_back(points[i]);
+    if (!normals.empty()) normals_.push_back(normals[i]);
+    indices_.push_back(static_cast<std::uint32_t>(i));
   }
-  return elements;
+}
+
+PointElements::PointElements(const PointElements& from, std::span<const std::uint32_t> order) {
+  for (const std::uint32_t i : order) {
+    points_.push_back(from.points_[i]);
+    if (!from.normals_.empty()) normals_.push_back(from.normals_[i]);
+    indices_.push_back(from.indices_[i]);
+  }
+}
+
+int PointElements::compare(std::size_t i, std::size_t j) const {
+  const int order = compare_places(points_[i], points_[j]);
+  return order != 0 ? order : compare_places(normal(i), normal(j));
 }
 
 }  // namespace regarment

@@ -16,47 +16,72 @@ struct NearestPlace {
   bool on_border = false;  // on an edge that only one triangle has, ends included
 };
 
-/// A triangle of positive area. Its corners stand in the order of their coordinates, not of the
-/// mesh, so that neighbours reckon a shared edge by the same steps and agree to the last bit.
-struct TriangleElement {
-  std::array<Vec3, 3> corners;  // sorted by x, then y, then z
-  Vec3 normal;                  // unit, by the order of the corners in the mesh
-  std::uint32_t index = 0;      // in the mesh
-  std::uint8_t border = 0;  // bit k: corner k is on the border; bit 3 + k: the edge facing it is
+/// Triangles of positive area. The corners of each stand in the order of their coordinates, not of
+/// the mesh, so that neighbours reckon a shared edge by the same steps and agree to the last bit.
+class TriangleElements {
+ public:
+  TriangleElements() = default;
 
-  NearestPlace nearest(const Vec3& query) const;
-  Vec3 low() const { return corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]); }
-  Vec3 high() const { return corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]); }
-};
+  /// The triangles that are not masked and have an area: more than a millionth of a millionth of
+  /// the square of their longest edge, below which a normal is made of rounding alone. An edge is
+  /// on the border when just one triangle that is not masked names its two vertices; one without
+  /// area counts, since the surface is closed there. Throws InvalidInput when a position that is
+  /// used is not finite or too large to be squared (above 1e150), an index is out of range, or
+  /// `masked` has neither no entry nor one per triangle.
+  TriangleElements(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                   std::span<const std::uint8_t> masked);
 
-/// A point of a cloud.
-struct PointElement {
-  Vec3 position;
-  Vec3 normal;  // as given; zero without
-  std::uint32_t index = 0;
+  /// The elements `order` names, in that order; what they share is stored in the order of its use.
+  TriangleElements(const TriangleElements& from, std::span<const std::uint32_t> order);
 
-  NearestPlace nearest(const Vec3& query) const {
-    return {position, (query - position).squaredNorm(), false};
+  std::size_t size() const { return items_.size(); }
+  std::uint32_t index(std::size_t i) const { return items_[i].index; }  // in the mesh
+  Vec3 normal(std::size_t i) const;  // unit, by the order of the corners in the mesh
+  std::array<Vec3, 3> corners(std::size_t i) const {  // sorted by x, then y, then z
+    const Item& item = items_[i];
+    return {places_[item.places[0]], places_[item.places[1]], places_[item.places[2]]};
   }
-  const Vec3& low() const { return position; }
-  const Vec3& high() const { return position; }
+  NearestPlace nearest(std::size_t i, const Vec3& query) const;
+  /// Orders elements that differ in more than the index: < 0, 0, > 0.
+  int compare(std::size_t i, std::size_t j) const;
+
+ private:
+  struct Item {
+    std::array<std::uint32_t, 3> places;
+    std::uint32_t index = 0;
+    std::uint8_t border = 0;  // bit k: corner k is on the border; bit 3 + k: the edge facing it is
+    bool turned = false;      // sorting turned the triangle over
+  };
+
+  std::vector<Vec3> places_;
+  std::vector<Item> items_;
 };
 
-/// The triangles that are not masked and have an area: more than a millionth of a millionth of the
-/// square of their longest edge, below which a normal is made of rounding alone. An edge is on the
-/// border when just one triangle that is not masked names its two vertices; one without area
-/// counts, since the surface is closed there. Throws InvalidInput when a used position is not
-/// finite or too large to be squared (above 1e150), an index is out of range or `masked` has
-/// neither no entry nor one per triangle.
-std::vector<TriangleElement> triangle_elements(std::span<const Vec3> positions,
-                                               std::span<const Triangle> triangles,
-                                               std::span<const std::uint8_t> masked);
+/// Points of a cloud.
+class PointElements {
+ public:
+  PointElements() = default;
 
-/// The points that are not masked. Throws InvalidInput when one of them or its normal is not
-/// finite or too large to be squared, or `normals` or `masked` has neither no entry nor one per
-/// point.
-std::vector<PointElement> point_elements(std::span<const Vec3> points,
-                                         std::span<const Vec3> normals,
-                                         std::span<const std::uint8_t> masked);
+  /// The points that are not masked. Throws InvalidInput when one of them is not finite or too
+  /// large to be squared, its normal is neither unit (to 1e-4) nor zero, or `normals` or `masked`
+  /// has neither no entry nor one per point.
+  PointElements(std::span<const Vec3> points, std::span<const Vec3> normals,
+                std::span<const std::uint8_t> masked);
+
+  PointElements(const PointElements& from, std::span<const std::uint32_t> order);
+
+  std::size_t size() const { return points_.size(); }
+  std::uint32_t index(std::size_t i) const { return indices_[i]; }
+  Vec3 normal(std::size_t i) const { return normals_.empty() ? Vec3::Zero() : normals_[i]; }
+  std::array<Vec3, 1> corners(std::size_t i) const { return {points_[i]}; }
+  NearestPlace nearest(std::size_t i, const Vec3& query) const {
+    return {points_[i], (query - points_[i]).squaredNorm(), false};
+  }
+  int compare(std::size_t i, std::size_t j) const;
+
+ private:
+  std::vector<Vec3> points_, normals_;
+  std::vector<std::uint32_t> indices_;
+};
 
 }  // namespace regarment
