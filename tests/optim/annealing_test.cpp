@@ -99,6 +99,33 @@ TEST(Annealing, CoolsAsTheOptionsSay) {
   EXPECT_GT(warm, 120);  // all but the corners of new simplices
 }
 
+TEST(Annealing, MakesEachNewSimplexRoundOnePoint) {
+  Search search{vec({3.2, -2.9}), vec({1.3, 1.3}), {}, -5, 5};
+  search.options.max_evaluations = 1000;
+  int simplices = 0, better = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const std::vector<SearchStep> steps = search.of(rastrigin, seed).steps;
+    // While it is warm, only corners of new simplices have no temperature.
+    for (std::size_t i = 3; i < 0.65 * 1000;) {
+      if (steps[i].temperature > 0) {
+        ++i;
+        continue;
+      }
+      ++simplices;
+      EXPECT_EQ(steps[i].value, steps[i - 1].best);  // the best point, measured again
+      better += steps[i + 1].best < steps[i].best;
+      for (std::size_t corner = 0; corner < 2; ++corner) {
+        const VectorXd edge = steps[i + 1 + corner].at - steps[i].at;
+        ASSERT_NEAR(std::abs(edge[Eigen::Index(corner)]), 1.3, 1e-12);
+        ASSERT_EQ(edge[Eigen::Index(1 - corner)], 0);
+      }
+      i += 3;
+    }
+  }
+  EXPECT_GT(simplices, 2 * kSeeds);
+  EXPECT_GT(better, 0);  // also when the first new corner is the new best point
+}
+
 TEST(Annealing, TakesTheSameStepsForTheSameSeedOnly) {
   const Search search{vec({-1.2, 1}), vec({0.5, 0.5}), {}};
   const Searched first = search.of(test::rosenbrock, 5);
