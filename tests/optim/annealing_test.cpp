@@ -106,7 +106,7 @@ TEST(Annealing, MakesEachNewSimplexRoundOnePoint) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const std::vector<SearchStep> steps = search.of(rastrigin, seed).steps;
     // While it is warm, only corners of new simplices have no temperature.
-    for (std::size_t i = 3; i < 0.65 * 1000;) {
+    for (std::size_t i = 3; i < 650;) {
       if (steps[i].temperature > 0) {
         ++i;
         continue;
