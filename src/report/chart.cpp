@@ -54,7 +54,7 @@ std::string text(double x, double y, const std::string& kind, const std::string&
 std::string draw_axes(const Chart& chart, const Frame& frame) {
   SvgPath grid;
   std::string words;
-  for (const AxisTick& tick : axis_ticks(chart.range, 4)) {
+  for (const AxisTick& tick : axis_ticks(chart.range, 5)) {
     grid.move_to(frame.left(), frame.y(tick.value));
     grid.horizontal_to(frame.right());
     words += text(frame.left() - 6.0, frame.y(tick.value) + 4.0, "y", tick.text);

@@ -30,17 +30,35 @@ std::vector<double> linear_ticks(const AxisRange& range, int count) {
   return ticks;
 }
 
-std::vector<double> logarithmic_ticks(const AxisRange& range, int count) {
-  std::vector<double> powers, all;
+// Powers of ten within the range, times each of these.
+std::vector<double> multiples(const AxisRange& range, std::initializer_list<double> factors) {
+  std::vector<double> out;
   for (double e = std::floor(std::log10(range.low)); e <= std::log10(range.high); ++e) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      const double tick = step * std::pow(10.0, e);
+    for (const double factor : factors) {
+      const double tick = factor * std::pow(10.0, e);
       if (tick < range.low * (1 - 1e-9) || tick > range.high * (1 + 1e-9)) continue;
-      all.push_back(tick);
-      if (step == 1.0) powers.push_back(tick);
+      out.push_back(tick);
     }
   }
-  return static_cast<int>(all.size()) <= 2 * count ? all : powers;
+  return out;
+}
+
+// As fine as leaves about `count` of them.
+std::vector<double> logarithmic_ticks(const AxisRange& range, int count) {
+  const std::vector<double> fine = multiples(range, {1.0, 1.5, 2.0, 3.0, 5.0, 7.0});
+  if (static_cast<int>(fine.size()) <= count + 1) return fine;
+  const std::vector<double> medium = multiples(range, {1.0, 2.0, 5.0});
+  if (static_cast<int>(medium.size()) <= 2 * count) return medium;
+  return multiples(range, {1.0});
+}
+
+// Two digits at most, and no zero that says nothing: "0.015", "0.02", "3".
+std::string logarithmic_text(double tick) {
+  std::string text = significant_text(tick, 2);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 // Decimals that show all of these in full.
@@ -72,7 +90,7 @@ std::vector<AxisTick> axis_ticks(const AxisRange& range, int count) {
   const int digits = digits_for(values);
   std::vector<AxisTick> ticks;
   for (const double value : values) {
-    std::string text = range.logarithmic ? significant_text(value, 1) : fixed_text(value, digits);
+    std::string text = range.logarithmic ? logarithmic_text(value) : fixed_text(value, digits);
     if (text.starts_with('-')) text.replace(0, 1, "\u2212");
     ticks.push_back({value, text});
   }

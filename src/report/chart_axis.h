@@ -19,9 +19,9 @@ struct AxisTick {
   std::string text;  // the minus as U+2212
 };
 
-/// Ticks at 1, 2 or 5 times a power of ten within the range, about `count` (>= 2) of them, all with
-/// as many digits as tell them apart; on a logarithmic axis all of these, or the powers of ten
-/// alone when that is too many.
+/// About `count` (>= 2) ticks within the range. On a linear axis they stand a step of 1, 2 or 5
+/// times a power of ten apart and all have as many digits as tell them apart; on a logarithmic one
+/// they are 1, 2 or 5 times a power of ten, or more or fewer steps where that suits the range.
 std::vector<AxisTick> axis_ticks(const AxisRange& range, int count);
 
 /// Whether an axis must be linear, or is logarithmic where all is positive and the largest value

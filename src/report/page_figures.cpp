@@ -77,7 +77,10 @@ void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
     gaps.set("caption", look.caption);
     gaps.set("first", row.size() == 1);
     gaps.set("figures", std::move(figures));
-    if (std::string_view(look.kind) == "deviation") gaps.set("legends", show_deviations(result));
+    std::vector<Gaps> legends;
+    if (std::string_view(look.kind) == "deviation") legends = show_deviations(result);
+    gaps.set("has_legends", !legends.empty());
+    gaps.set("legends", std::move(legends));
   }
   page.set("has_figures", !before.empty() || !after.empty());
   page.set("pair", pair_of(before, after));

@@ -37,7 +37,7 @@ Gaps show_run(const ResultGarment& garment, const ShownRun& shown) {
   row.set("seed", std::to_string(run.seed));
   row.set("ending", run.ending == FitEnding::Converged ? "converged" : "at its limit");
   row.set("evaluations", count_text(run.evaluations));
-  row.set_maybe("unsettled", run.unsettled == 0 ? "" : count_text(run.unsettled));
+  row.set("unsettled", count_text(run.unsettled));
   row.set("error", error_text(run.error));
   std::vector<Gaps> lengths;
   for (std::size_t d = 0; d < search.dimensions.size(); ++d) {
@@ -71,6 +71,10 @@ std::vector<Gaps> show_panels(const std::vector<Panel>& panels, const std::strin
 }
 
 void show_terms(const ResultSearch& search, Gaps& gaps) {
+  // All with the digits of the sum, so that they can be seen to add up.
+  const std::string sum = error_text(search.total);
+  const auto point = sum.find('.');
+  const int digits = point == std::string::npos ? 0 : static_cast<int>(sum.size() - point - 1);
   const ErrorTerms parts = contributions(search.terms, search);
   gaps.set("distance", fixed_text(search.terms.distance * 1000.0, 2));
   gaps.set("stretch", fixed_text(search.terms.stretch, 4));
@@ -78,10 +82,10 @@ void show_terms(const ResultSearch& search, Gaps& gaps) {
   gaps.set("alpha", significant_text(search.weights.alpha, 3));
   gaps.set("beta", significant_text(search.weights.beta, 3));
   gaps.set("gamma", significant_text(search.weights.gamma, 3));
-  gaps.set("distance_part", error_text(parts.distance));
-  gaps.set("stretch_part", error_text(parts.stretch));
-  gaps.set("silhouette_part", error_text(parts.silhouette));
-  gaps.set("total", error_text(search.total));
+  gaps.set("distance_part", fixed_text(parts.distance, digits));
+  gaps.set("stretch_part", fixed_text(parts.stretch, digits));
+  gaps.set("silhouette_part", fixed_text(parts.silhouette, digits));
+  gaps.set("total", sum);
   gaps.set("square_root", search.square_root);
 }
 
@@ -94,8 +98,12 @@ bool has_truth(const ResultGarment& garment) {
 }
 
 void show_counts(const ResultSearch& search, std::size_t shown, Gaps& gaps) {
-  std::size_t evaluations = 0;
-  for (const ResultRun& run : search.runs) evaluations += run.evaluations;
+  std::size_t evaluations = 0, unsettled = 0;
+  for (const ResultRun& run : search.runs) {
+    evaluations += run.evaluations;
+    unsettled += run.unsettled;
+  }
+  gaps.set("with_unsettled", unsettled > 0);
   gaps.set("evaluations", count_text(evaluations));
   gaps.set("runs_made", std::to_string(search.runs.size()));
   gaps.set("one_run", search.runs.size() == 1);

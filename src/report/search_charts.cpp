@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "report/text.h"
@@ -103,39 +102,37 @@ Panel SearchCharts::error() const {
   return panel;
 }
 
-std::vector<Panel> SearchCharts::terms() const {
-  struct Term {
-    const char* title;
-    const char* symbol;
-    double ErrorTerms::*part;
-  };
-  const char* stretch = search_.square_root ? "β √|1 − <i>E</i><sub>stretch</sub>|"
-                                            : "β |1 − <i>E</i><sub>stretch</sub>|";
-  const Term kinds[] = {{"Distance", "α <i>E</i><sub>dist</sub>", &ErrorTerms::distance},
-                        {"Stretch", stretch, &ErrorTerms::stretch},
-                        {"Silhouette", "γ <i>E</i><sub>sil</sub>", &ErrorTerms::silhouette}};
-  std::vector<Panel> panels;
-  std::vector<double> found = {0.0}, dots;
-  for (const Term& term : kinds) {
-    std::vector<Series> tried(runs_.size());
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      for (const ErrorTerms& terms : runs_[r].terms) {
-        tried[r].push_back(contributions(terms, search_).*term.part);
-      }
+Panel SearchCharts::term(const std::string& title, const std::string& symbol,
+                         double ErrorTerms::*part) const {
+  std::vector<Series> tried(runs_.size());
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    for (const ErrorTerms& terms : runs_[r].terms) {
+      tried[r].push_back(contributions(terms, search_).*part);
     }
-    Panel& panel = panels.emplace_back();
-    panel.title = term.title;
-    panel.symbol = term.symbol;
-    panel.chart = chart_of(tried);
-    const double part = contributions(search_.terms, search_).*term.part;
-    panel.aside = significant_text(part, 3) + " at the result";
-    panel.in_words = std::string("What the term ") + term.title +
-                     " adds to the error over the evaluations of each run, " + panel.aside + ".";
-    const std::vector<double> more = all_found(panel.chart), more_dots = all_tried(panel.chart);
-    found.insert(found.end(), more.begin(), more.end());
-    dots.insert(dots.end(), more_dots.begin(), more_dots.end());
   }
-  AxisRange range = range_showing(found, dots, kShownTries);
+  Panel panel;
+  panel.title = title;
+  panel.symbol = symbol;
+  panel.chart = chart_of(tried);
+  panel.aside = significant_text(contributions(search_.terms, search_).*part, 3) + " at the result";
+  panel.in_words =
+      "What this term adds to the error over the evaluations of each run: " + panel.aside + ".";
+  return panel;
+}
+
+std::vector<Panel> SearchCharts::terms() const {
+  const std::string off = "|1 − <i>E</i><sub>stretch</sub>|";
+  std::vector<Panel> panels = {
+      term("Distance", "α <i>E</i><sub>dist</sub>", &ErrorTerms::distance),
+      term("Stretch", (search_.square_root ? "β √" : "β ") + off, &ErrorTerms::stretch),
+      term("Silhouette", "γ <i>E</i><sub>sil</sub>", &ErrorTerms::silhouette)};
+  std::vector<double> found = {0.0}, tried;
+  for (const Panel& panel : panels) {
+    const std::vector<double> lines = all_found(panel.chart), dots = all_tried(panel.chart);
+    found.insert(found.end(), lines.begin(), lines.end());
+    tried.insert(tried.end(), dots.begin(), dots.end());
+  }
+  AxisRange range = range_showing(found, tried, kShownTries);
   range.low = 0.0;
   for (Panel& panel : panels) panel.chart.range = range;
   return panels;
@@ -148,7 +145,7 @@ Panel SearchCharts::dimension(std::size_t d) const {
   Panel panel;
   panel.chart = chart_of(tried);
   panel.title = of.name;
-  panel.aside = "cm, bounds " + cm(of.lower_cm) + " to " + cm(of.upper_cm);
+  panel.aside = "cm; bounds " + cm(of.lower_cm) + " to " + cm(of.upper_cm);
   panel.in_words = cm(search_.runs[search_.kept - 1].dimensions_cm[d]) + " cm at the result.";
   panel.chart.levels = {{of.lower_cm, "bound"}, {of.upper_cm, "bound"}};
   std::vector<double> always = all_found(panel.chart);

@@ -40,6 +40,7 @@ class SearchCharts {
  private:
   using Series = std::vector<double>;
   Chart chart_of(const std::vector<Series>& tried) const;
+  Panel term(const std::string& title, const std::string& symbol, double ErrorTerms::*part) const;
   Panel dimension(std::size_t d) const;
 
   const ResultGarment& garment_;

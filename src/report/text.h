@@ -17,7 +17,7 @@ std::string signed_text(double value, int digits);
 /// Fixed digits after the point, whatever the locale; "-0.0" becomes "0.0".
 std::string fixed_text(double value, int digits);
 
-/// `digits` (>= 1) significant digits without an exponent: 0.0123456 with three is "0.0123", 1234.5
+/// `digits` (>= 1) significant digits without an exponent: 0.0123456 with three is "0.0123", 1234.6
 /// is "1235". At most 12 digits after the point; zero is "0".
 std::string significant_text(double value, int digits);
 

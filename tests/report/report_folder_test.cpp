@@ -4,10 +4,11 @@
 
 #include <numeric>
 
-#include "analyses.h"
 #include "base/error.h"
 #include "geometry/mesh_io.h"
+#include "report/evaluations_csv.h"
 #include "report/files.h"
+#include "searches.h"
 #include "support/folders.h"
 
 namespace regarment {
@@ -125,6 +126,59 @@ TEST_F(ReportFolder, TheReportIsMadeAgainFromWhatIsStored) {
   EXPECT_EQ(remake_report(place), place / "report.html");
   EXPECT_EQ(read_file(place / "report.html", 64u << 20), page);
   EXPECT_EQ(remake_report(place), place / "report.html");
+}
+
+class SearchedFolder : public ReportFolder {
+ protected:
+  SearchedFolder() {
+    analysis_.method = "annealing";
+    set_trace(made_trace(skirt_, 3, 40), analysis_.garments[0]);
+    set_deviation(analysis_, 0, [](std::size_t i) { return 1e-5 * double(i) - 0.002; });
+  }
+};
+
+TEST_F(SearchedFolder, HoldsItsEvaluationsToo) {
+  const ReportFiles made = files();
+  ASSERT_TRUE(made.contains("evaluations-1.csv"));
+  EXPECT_EQ(made.at("evaluations-1.csv"), evaluations_csv(*analysis_.garments[0].trace));
+  EXPECT_LT(made.at("result.json").size(), 20'000u);
+}
+
+TEST_F(SearchedFolder, ShowsTheDeviationOfItsGarments) {
+  const Pictures pictures = draw_pictures(analysis_, 2, {});
+  ASSERT_EQ(pictures.figures.size(), 20u);
+  EXPECT_EQ(pictures.figures.back().kind, "deviation");
+  EXPECT_NE(pictures.bytes.at("pictures/deviation-front.jpg"),
+            pictures.bytes.at("pictures/segmentation-front.jpg"));
+  const std::string page = report_files(analysis_, {skirt_}, options_, pictures).at("report.html");
+  EXPECT_NE(page.find("id=\"look-deviation\""), std::string::npos);
+  EXPECT_NE(page.find("class=\"legend\""), std::string::npos);
+}
+
+TEST_F(SearchedFolder, IsMadeAgainFromWhatIsStored) {
+  const TemporaryFolder home;
+  const fs::path place = home.path() / "out";
+  write_report_folder(analysis_, {skirt_}, options_, place, false, {});
+  const std::string page = read_file(place / "report.html", 64u << 20);
+  fs::remove(place / "report.html");
+  remake_report(place);
+  EXPECT_EQ(read_file(place / "report.html", 64u << 20), page);
+}
+
+TEST_F(SearchedFolder, WithoutItsEvaluationsIsNotMadeAgain) {
+  const TemporaryFolder home;
+  const fs::path place = home.path() / "out";
+  write_report_folder(analysis_, {skirt_}, options_, place, false, {});
+  const std::string csv = read_file(place / "evaluations-1.csv", 1u << 20);
+  fs::remove(place / "evaluations-1.csv");
+  EXPECT_THROW(remake_report(place), ReadError);
+  write_file(place / "evaluations-1.csv", csv.substr(0, csv.size() / 2));
+  EXPECT_THROW(remake_report(place), ReadError);
+}
+
+TEST_F(SearchedFolder, ATraceThatContradictsItselfIsOurOwnMistake) {
+  analysis_.garments[0].trace->runs[0].best = 40;
+  EXPECT_THROW(files(), InvalidInput);
 }
 
 TEST_F(ReportFolder, AStoredResultThatIsNotOursIsRefused) {

@@ -21,6 +21,16 @@ TEST(Text, SignsAreWrittenOut) {
 
 TEST(Text, NotANumberIsAQuestion) { EXPECT_EQ(fixed_text(std::nan(""), 1), "?"); }
 
+TEST(Text, SignificantDigitsCountFromTheFirstThatIsNotZero) {
+  EXPECT_EQ(significant_text(0.0123456, 3), "0.0123");
+  EXPECT_EQ(significant_text(1234.6, 3), "1235");
+  EXPECT_EQ(significant_text(12.345, 3), "12.3");
+  EXPECT_EQ(significant_text(-0.5, 2), "-0.50");
+  EXPECT_EQ(significant_text(0.0, 3), "0");
+  EXPECT_EQ(significant_text(1e-20, 3), "0.000000000000");
+  EXPECT_DOUBLE_EQ(rounded_significant(0.001234567, 4), 0.001235);
+}
+
 TEST(Text, CountsAreGroupedByThree) {
   EXPECT_EQ(count_text(7), "7");
   EXPECT_EQ(count_text(999), "999");
