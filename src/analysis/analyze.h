@@ -25,6 +25,9 @@ struct AnalyzeOptions {
   // Scan this near to the draped garment is labelled as garment by Method::Annealing, m [Hasler et
   // al. 2007, sec. 3.5]. Larger takes in more of the skin beside the edges.
   double segment_distance = 0.01;
+  // The garment's open edges are drawn to where they show on the scan; false: they slide as in the
+  // paper, and lengths are hardly held by anything.
+  bool hold_edges = true;
   // Surface invented under a hem is found and left out of the fit; false: it attracts (Fig. 5).
   bool cap_detection = true;
   PlacementOverrides placement;  // what a person said about landmarks and edges

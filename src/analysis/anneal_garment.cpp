@@ -44,6 +44,20 @@ std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment
   return out;
 }
 
+/// The garment's open edges, drawn to where they were found on the scan; those that another garment
+/// covers are free.
+std::vector<HeldEdge> held_edges(const GarmentAnalysis& garment) {
+  std::vector<HeldEdge> out;
+  for (const EdgeCurve& curve : garment.edges) {
+    if (curve.evidence == "covered" || curve.points.size() < 3) continue;
+    HeldEdge edge{{}, curve.points};
+    for (const int vertex : edge_named(garment.pattern, curve.name).vertices)
+      edge.particles.push_back(garment.pattern.particle[static_cast<std::size_t>(vertex)]);
+    out.push_back(std::move(edge));
+  }
+  return out;
+}
+
 }  // namespace
 
 GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
@@ -64,7 +78,9 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   const FitTarget target(scan.mesh, masked_parts(scan, caps), scan.facts.spacing,
                          stage.options.fit.silhouette_size);
   const GarmentFit fit =
-      fit_garment(garment, start, out.pattern, out.placed, target, stage.options.fit, progress);
+      fit_garment(garment, start, out.pattern, out.placed, target,
+                  stage.options.hold_edges ? held_edges(out) : std::vector<HeldEdge>{},
+                  stage.options.fit, progress);
   out.dimensions = fit.dimensions;
   move_pattern(garment, out.dimensions, out.pattern);
   out.draped = fit.draped;

@@ -6,10 +6,11 @@ namespace {
 // Nearer than this the direction to the target is noise, m; the scan's own normal is taken.
 constexpr double kNear = 0.002;
 
-/// Unit vector across the scan's surface at the target; zero when there is none.
+/// Unit vector across the scan's surface at the target; zero when the target has no normal: it is a
+/// point then and no surface to slide on.
 Vec3 across(const Attraction& target, const Vec3& d) {
-  if (target.distance < kNear && !target.normal.isZero(0)) return target.normal;
-  return target.distance > 0 ? Vec3(d / target.distance) : Vec3::Zero();
+  if (target.normal.isZero(0)) return Vec3::Zero();
+  return target.distance < kNear ? target.normal : Vec3(d / target.distance);
 }
 
 }  // namespace

@@ -25,9 +25,10 @@ struct Surroundings {
 };
 
 Surroundings look_around(const Cloth& cloth, const ClosestPoint& scan,
-                         const DrapeOptions& options) {
+                         const std::vector<HeldEdge>& held, const DrapeOptions& options) {
   Surroundings around;
   around.targets = attract(cloth, scan, options.attraction);
+  hold(held, cloth, around.targets);
   if (options.collisions) around.contacts = find_contacts(cloth, scan);
   return around;
 }
@@ -107,14 +108,14 @@ void judge(const Cloth& cloth, const Surroundings& around, DrapeOutcome& outcome
 }  // namespace
 
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
-                   const Progress& progress) {
+                   const Progress& progress, const std::vector<HeldEdge>& held) {
   options.check();
   cloth.check();
   if (scan.empty()) throw InvalidInput("drape: the scan is empty, there is nothing to lie on");
   std::vector<Vec3> forces(cloth.size());
   ForceJacobian jacobian = make_jacobian(cloth);
   TimeStep time_step(cloth);
-  Surroundings around = look_around(cloth, scan, options);
+  Surroundings around = look_around(cloth, scan, held, options);
   Hesitation hesitation(cloth.positions, around.targets);
   DrapeOutcome outcome;
   judge(cloth, around, outcome);
@@ -138,7 +139,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
               time_step.velocity_change(before, forces, jacobian, h, options.solver_tolerance), h);
     }
     ++outcome.steps;
-    around = look_around(cloth, scan, options);
+    around = look_around(cloth, scan, held, options);
     hesitation.weigh(cloth.positions, around.targets);
     judge(cloth, around, outcome);
     rest.observe(outcome, h);

@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "drape/attraction.h"
 #include "drape/cloth.h"
+#include "drape/held_edge.h"
 
 namespace regarment {
 
@@ -58,9 +59,10 @@ struct DrapeOutcome {
 
 /// Lets the cloth move until it lies at rest on the scan [sec. 3.2]: springs, bending and
 /// attraction, integrated semi-implicitly [Baraff and Witkin 1998] with an adaptive step. Moves
-/// `cloth`. Deterministic. Throws InvalidInput for cloth that is empty, not finite or whose parts
-/// do not match, and when `scan` is empty; Stopped from progress.
+/// `cloth`. `held`: edges that are drawn to a curve, none as in the paper. Deterministic. Throws
+/// InvalidInput for cloth that is empty, not finite or whose parts do not match, and when `scan` is
+/// empty; Stopped from progress.
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options = {},
-                   const Progress& progress = {});
+                   const Progress& progress = {}, const std::vector<HeldEdge>& held = {});
 
 }  // namespace regarment

@@ -18,6 +18,8 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr std::uint32_t kRoughStream = 1'000'000;  // of random numbers, apart from those of runs
+
 /// What all runs share.
 struct Setting {
   const GarmentTemplate& garment;
@@ -25,9 +27,10 @@ struct Setting {
   const Pattern& pattern;
   const std::vector<Vec3>& placed;
   const FitTarget& target;
+  const std::vector<HeldEdge>& held;
   const FitOptions& options;
 
-  Trial new_trial() const { return {garment, pattern, placed, target, options.drape}; }
+  Trial new_trial() const { return {garment, pattern, placed, target, held, options.drape}; }
 
   Dimensions dimensions_at(const VectorXd& at) const {
     Dimensions out;
@@ -52,45 +55,40 @@ struct Searched {
   DrapeOutcome outcome;
 };
 
-/// Judges the start and each dimension somewhat longer and shorter, for the weights of Eq. (1).
-std::vector<ErrorTerms> sample_terms(const Setting& setting, const Progress& progress) {
-  Trial trial = setting.new_trial();
-  std::vector<ErrorTerms> samples = {trial.judge(setting.start, progress)};
-  for (const Dimension& d : setting.garment.dimensions())
-    for (const double factor : {1 + setting.options.first_edge, 1 - setting.options.first_edge}) {
-      progress.report("fit", 0.0, "weighing the terms of the error");
-      Dimensions moved = setting.start;
-      moved[d.name] *= factor;
-      samples.push_back(trial.judge(setting.garment.nearest_possible(moved), progress));
-    }
-  return samples;
+/// Where a search begins and how wide it looks at first.
+struct Beginning {
+  VectorXd at, edges;
+};
+
+/// Somewhere near `dimensions`, with edges up or down.
+Beginning near(const Setting& setting, const Dimensions& dimensions, Random& random) {
+  const double share = setting.options.first_edge;
+  Beginning out;
+  out.at = setting.per_dimension([&](const Dimension& d) {
+    const double moved = dimensions.at(d.name) * random.uniform(1 - share, 1 + share);
+    return std::clamp(moved, d.lower, d.upper);
+  });
+  out.edges = setting.per_dimension([&](const Dimension& d) {
+    return (random.uniform() < 0.5 ? -share : share) * dimensions.at(d.name);
+  });
+  return out;
 }
 
-Searched search(const Setting& setting, const ErrorWeights& weights, int index,
-                RunMonitor& monitor) {
-  const FitOptions& options = setting.options;
+/// Searches for the smallest `error` of the terms, draping anew for each trial.
+Searched search(const Setting& setting, const Beginning& beginning,
+                const AnnealedSimplexOptions& how, Random& random,
+                const std::function<double(const ErrorTerms&)>& error,
+                const SearchObserver& observer) {
   Trial trial = setting.new_trial();
   Searched out;
-  out.run.seed = options.seed;
-  Random random(options.seed, static_cast<std::uint32_t>(index));
-  const VectorXd lower = setting.per_dimension([](const Dimension& d) { return d.lower; });
-  const VectorXd upper = setting.per_dimension([](const Dimension& d) { return d.upper; });
-  const VectorXd start = setting.per_dimension([&](const Dimension& d) {
-    const double moved = random.uniform(1 - options.first_edge, 1 + options.first_edge);
-    return std::clamp(setting.start.at(d.name) * moved, d.lower, d.upper);
-  });
-  const VectorXd edges = setting.per_dimension([&](const Dimension& d) {
-    const double sign = random.uniform() < 0.5 ? -1.0 : 1.0;
-    return sign * options.first_edge * setting.start.at(d.name);
-  });
-
   const auto error_at = [&](const VectorXd& at) {
     FitEvaluation evaluation;
+    if (setting.options.start_from_best && !out.particles.empty()) trial.start_from(out.particles);
     const Dimensions dimensions = setting.dimensions_at(at);
     for (const Dimension& d : setting.garment.dimensions())
       evaluation.dimensions.push_back(dimensions.at(d.name));
     evaluation.terms = trial.judge(dimensions);
-    evaluation.error = total_error(evaluation.terms, weights, options.square_root);
+    evaluation.error = error(evaluation.terms);
     evaluation.drape_steps = trial.outcome().steps;
     evaluation.came_to_rest = trial.outcome().ending == DrapeEnding::CameToRest;
     std::vector<FitEvaluation>& all = out.run.evaluations;
@@ -106,18 +104,60 @@ Searched search(const Setting& setting, const ErrorWeights& weights, int index,
   const auto note = [&](const SearchStep& step) {
     out.run.evaluations.back().best = step.best;
     out.run.evaluations.back().temperature = step.temperature;
-    monitor.evaluated(index, step.evaluation, step.best);
+    observer(step);
   };
-  const SearchResult found =
-      minimize_annealed(error_at, start, edges, lower, upper, options.search, random, note);
+  const SearchResult found = minimize_annealed(
+      error_at, beginning.at, beginning.edges,
+      setting.per_dimension([](const Dimension& d) { return d.lower; }),
+      setting.per_dimension([](const Dimension& d) { return d.upper; }), how, random, note);
   out.run.ending =
       found.ending == SearchEnding::Converged ? FitEnding::Converged : FitEnding::EvaluationLimit;
   return out;
 }
 
+/// A rough size by E_dist alone, which needs no weights: what the weights are chosen at, and where
+/// the runs begin.
+Searched rough_search(const Setting& setting, const Progress& progress) {
+  AnnealedSimplexOptions how = setting.options.search;
+  how.max_evaluations = setting.options.rough_evaluations;
+  how.start_temperature = 0;
+  Random random(setting.options.seed, kRoughStream);
+  Beginning beginning;
+  beginning.at =
+      setting.per_dimension([&](const Dimension& d) { return setting.start.at(d.name); });
+  beginning.edges = setting.options.first_edge * beginning.at;
+  return search(
+      setting, beginning, how, random, [](const ErrorTerms& terms) { return terms.distance; },
+      [&](const SearchStep&) { progress.report("fit", 0.0, "a rough size first"); });
+}
+
+/// The terms of the better half of the rough search.
+std::vector<ErrorTerms> terms_near_best(const FitRun& rough) {
+  std::vector<FitEvaluation> all = rough.evaluations;
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
+  all.resize((all.size() + 1) / 2);
+  std::vector<ErrorTerms> out;
+  for (const FitEvaluation& one : all) out.push_back(one.terms);
+  return out;
+}
+
+Searched annealed_run(const Setting& setting, const Dimensions& rough, const ErrorWeights& weights,
+                      int index, RunMonitor& monitor) {
+  Random random(setting.options.seed, static_cast<std::uint32_t>(index));
+  const Beginning beginning = near(setting, rough, random);
+  Searched out = search(
+      setting, beginning, setting.options.search, random,
+      [&](const ErrorTerms& terms) {
+        return total_error(terms, weights, setting.options.square_root);
+      },
+      [&](const SearchStep& step) { monitor.evaluated(index, step.evaluation, step.best); });
+  out.run.seed = setting.options.seed;
+  return out;
+}
+
 /// All runs, on as many threads as allowed; which thread has which run changes nothing.
-std::vector<Searched> search_all(const Setting& setting, const ErrorWeights& weights,
-                                 const Progress& progress) {
+std::vector<Searched> search_all(const Setting& setting, const Dimensions& rough,
+                                 const ErrorWeights& weights, const Progress& progress) {
   const int runs = setting.options.runs;
   std::vector<Searched> found(static_cast<std::size_t>(runs));
   std::vector<std::exception_ptr> failures(found.size());
@@ -126,7 +166,7 @@ std::vector<Searched> search_all(const Setting& setting, const ErrorWeights& wei
   const auto work = [&] {
     for (int i = next++; i < runs; i = next++) {
       try {
-        found[static_cast<std::size_t>(i)] = search(setting, weights, i, monitor);
+        found[static_cast<std::size_t>(i)] = annealed_run(setting, rough, weights, i, monitor);
       } catch (...) {
         failures[static_cast<std::size_t>(i)] = std::current_exception();
       }
@@ -165,14 +205,20 @@ void FitOptions::check() const {
 
 GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
                        const Pattern& pattern, const std::vector<Vec3>& placed,
-                       const FitTarget& target, const FitOptions& options,
-                       const Progress& progress) {
+                       const FitTarget& target, const std::vector<HeldEdge>& held,
+                       const FitOptions& options, const Progress& progress) {
   options.check();
-  const Setting setting{garment, start, pattern, placed, target, options};
+  const Setting setting{garment, start, pattern, placed, target, held, options};
   GarmentFit fit;
   for (const Dimension& d : garment.dimensions()) fit.trace.names.push_back(d.name);
-  fit.trace.weights = balance(sample_terms(setting, progress));
-  std::vector<Searched> found = search_all(setting, fit.trace.weights, progress);
+  const Searched rough = rough_search(setting, progress);
+  fit.trace.weights = balance(terms_near_best(rough.run));
+  for (auto& [k, v] : rough.dimensions) printf("  rough %s %.1f\n", k.c_str(), v * 100);
+  printf("rough dist %.5f stretch %.4f sil %.3f\n",
+         rough.run.evaluations[rough.run.best].terms.distance,
+         rough.run.evaluations[rough.run.best].terms.stretch,
+         rough.run.evaluations[rough.run.best].terms.silhouette);
+  std::vector<Searched> found = search_all(setting, rough.dimensions, fit.trace.weights, progress);
   const auto best = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return error_of(a.run) < error_of(b.run);
   });

@@ -17,10 +17,15 @@ struct FitOptions {
   AnnealedSimplexOptions search;
   int runs = 3;  // from different seeds; the smallest error is kept [sec. 4]
   std::uint64_t seed = 1;
-  int threads = 0;            // at most; 0: as many as the machine has
+  int threads = 0;  // at most; 0: as many as the machine has
+  // Of a first search by E_dist alone, after which the weights are chosen and the runs begin.
+  int rough_evaluations = 60;
   double first_edge = 0.1;    // edges of the first simplex, share of each dimension
   int silhouette_size = 256;  // pixels
-  bool square_root = true;    // of the stretch term, as printed in Eq. (1)
+  // Each drape starts from the best one of its run so far; false: from the one before, as printed,
+  // which cloth wrecked by a bad trial does not survive.
+  bool start_from_best = true;
+  bool square_root = true;  // of the stretch term, as printed in Eq. (1)
 
   void check() const;  // throws InvalidInput naming the field and its value
 };
@@ -37,12 +42,13 @@ struct GarmentFit {
 
 /// Finds the dimensions with the smallest error of Eq. (1), by draping the garment again for each
 /// trial [Hasler et al. 2007, sec. 3.3]. `placed`: where `pattern`, at its starting dimensions,
-/// lies on the body (place_garment). The drape of a trial starts from that of the trial before.
-/// Progress says run, evaluation, smallest error and the time left. The same bytes for any number
-/// of threads. Throws NoGarmentError when no drape shows a silhouette, InvalidInput, Stopped.
+/// lies on the body (place_garment). `held`: edges whose place on the scan is known. The drape of a
+/// trial starts from that of the trial before. Progress says run, evaluation, smallest error and
+/// the time left. The same bytes for any number of threads. Throws NoGarmentError when no drape
+/// shows a silhouette, InvalidInput, Stopped.
 GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
                        const Pattern& pattern, const std::vector<Vec3>& placed,
-                       const FitTarget& target, const FitOptions& options,
-                       const Progress& progress = {});
+                       const FitTarget& target, const std::vector<HeldEdge>& held,
+                       const FitOptions& options, const Progress& progress = {});
 
 }  // namespace regarment

@@ -7,9 +7,11 @@
 namespace regarment {
 
 Trial::Trial(const GarmentTemplate& garment, const Pattern& pattern,
-             const std::vector<Vec3>& placed, const FitTarget& target, const DrapeOptions& options)
+             const std::vector<Vec3>& placed, const FitTarget& target,
+             const std::vector<HeldEdge>& held, const DrapeOptions& options)
     : garment_(garment),
       target_(target),
+      held_(held),
       options_(options),
       pattern_(pattern),
       cloth_(make_cloth(pattern, placed)),
@@ -19,7 +21,7 @@ ErrorTerms Trial::judge(const Dimensions& dimensions, const Progress& progress) 
   move_pattern(garment_, dimensions, pattern_);
   update_cloth(pattern_, cloth_);
   std::fill(cloth_.velocities.begin(), cloth_.velocities.end(), Vec3::Zero());
-  outcome_ = drape(cloth_, target_.surface(), options_, progress);
+  outcome_ = drape(cloth_, target_.surface(), options_, progress, held_);
   const std::vector<Silhouette> seen = renderer_.draw(cloth_.positions, target_.cameras());
   return {outcome_.mean_distance, outcome_.mean_stretch,
           silhouette_error(target_.silhouettes(), seen)};

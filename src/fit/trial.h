@@ -16,13 +16,17 @@ namespace regarment {
 /// sec. 3.1]. Draws with the context of its thread: make and use it in one thread.
 class Trial {
  public:
-  /// Borrows `garment` and `target`. `placed`: one position per vertex of `pattern`, body frame, m.
+  /// Borrows `garment`, `target` and `held`. `placed`: one position per vertex of `pattern`, body
+  /// frame, m.
   Trial(const GarmentTemplate& garment, const Pattern& pattern, const std::vector<Vec3>& placed,
-        const FitTarget& target, const DrapeOptions& options);
+        const FitTarget& target, const std::vector<HeldEdge>& held, const DrapeOptions& options);
 
   /// Drapes the garment at these dimensions, which must make a garment, and judges it by the terms
   /// of Eq. (1). Throws as `drape` and `silhouette_error` do.
   ErrorTerms judge(const Dimensions& dimensions, const Progress& progress = {});
+
+  /// Puts the particles there; the next drape starts from them.
+  void start_from(const std::vector<Vec3>& particles) { cloth_.positions = particles; }
 
   const DrapeOutcome& outcome() const { return outcome_; }  // of the last judge()
   const Cloth& cloth() const { return cloth_; }
@@ -30,6 +34,7 @@ class Trial {
  private:
   const GarmentTemplate& garment_;
   const FitTarget& target_;
+  const std::vector<HeldEdge>& held_;
   DrapeOptions options_;
   Pattern pattern_;
   Cloth cloth_;
