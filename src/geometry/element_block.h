@@ -40,7 +40,7 @@ struct alignas(64) TriangleBlock {
     const L up = face.height(p);
     const L out =
         max(max(edges[0].height(p), edges[1].height(p)), max(edges[2].height(p), L::all(0)));
-    return up * up + out * out;
+    return max(up * up + out * out, L::all(0));  // 0 without a number
   }
   L cosine(const DirectionTest& test) const { return test.cosine(face.x, face.y, face.z); }
 
@@ -71,8 +71,8 @@ struct alignas(64) TriangleBlock {
 };
 
 /// Points of a cloud side by side as floats; a point without a normal has no number for it.
-struct PointBlock {
-  static constexpr int kSize = 4;
+struct alignas(64) PointBlock {
+  static constexpr int kSize = 8;
   using L = Lanes<kSize>;
   L x, y, z;
   L nx, ny, nz;

@@ -83,7 +83,7 @@ class Builder {
           [&](const ElementRange& a, const ElementRange& b) { return rank(a) < rank(b); });
       if (largest->size() <= kBlock) break;
       if (coincide(items_, *largest) && drop_repeats(*largest)) continue;
-      const std::size_t middle = part_range(items_, *largest, depth > kDeep);
+      const std::size_t middle = part_range(items_, *largest, kBlock, depth > kDeep);
       const ElementRange second = boxed_range(items_, middle, largest->end);
       *largest = boxed_range(items_, largest->begin, middle);
       children.insert(largest + 1, second);

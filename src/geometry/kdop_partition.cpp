@@ -7,7 +7,6 @@ namespace regarment {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kBlock = 4;  // elements tested at once, so four cost what one does
 
 struct Box {
   std::array<float, 3> low, high;
@@ -72,28 +71,30 @@ CentreExtent centre_extent(const std::vector<BoxedElement>& items, const Element
   return extent;
 }
 
-float blocks(std::size_t count) { return static_cast<float>((count + kBlock - 1) / kBlock); }
+float blocks(std::size_t count, std::size_t block) {
+  return static_cast<float>((count + block - 1) / block);
+}
 
-void find_best(const std::array<Bin, kBins>& bins, int axis, Split& best) {
+void find_best(const std::array<Bin, kBins>& bins, int axis, std::size_t block, Split& best) {
   std::array<float, kBins> cost_after{};
   Bin after;
   for (int b = kBins - 1; b > 0; --b) {
     after.box.add(bins[b].box);
     after.count += bins[b].count;
-    cost_after[b] = after.count > 0 ? after.box.half_area() * blocks(after.count) : -1;
+    cost_after[b] = after.count > 0 ? after.box.half_area() * blocks(after.count, block) : -1;
   }
   Bin before;
   for (int b = 0; b + 1 < kBins; ++b) {
     before.box.add(bins[b].box);
     before.count += bins[b].count;
     if (before.count == 0 || cost_after[b + 1] < 0) continue;
-    const float cost = before.box.half_area() * blocks(before.count) + cost_after[b + 1];
+    const float cost = before.box.half_area() * blocks(before.count, block) + cost_after[b + 1];
     if (cost < best.cost) best = {axis, b, cost};
   }
 }
 
 Split best_split(const std::vector<BoxedElement>& items, const ElementRange& range,
-                 const CentreExtent& extent) {
+                 const CentreExtent& extent, std::size_t block) {
   std::array<std::array<Bin, kBins>, 3> bins;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     for (int a = 0; a < 3; ++a) {
@@ -104,7 +105,7 @@ Split best_split(const std::vector<BoxedElement>& items, const ElementRange& ran
   }
   Split best;
   for (int a = 0; a < 3; ++a)
-    if (extent.scale[a] > 0) find_best(bins[a], a, best);
+    if (extent.scale[a] > 0) find_best(bins[a], a, block, best);
   return best;
 }
 
@@ -131,9 +132,10 @@ ElementRange boxed_range(const std::vector<BoxedElement>& items, std::size_t beg
   return {begin, end, box.half_area()};
 }
 
-std::size_t part_range(std::vector<BoxedElement>& items, const ElementRange& range, bool halve) {
+std::size_t part_range(std::vector<BoxedElement>& items, const ElementRange& range,
+                       std::size_t block, bool halve) {
   const CentreExtent extent = centre_extent(items, range);
-  const Split split = halve ? Split{} : best_split(items, range, extent);
+  const Split split = halve ? Split{} : best_split(items, range, extent, block);
   if (split.axis < 0) return halve_range(items, range, extent);
   const auto middle = std::partition(
       items.begin() + range.begin, items.begin() + range.end,

@@ -31,8 +31,10 @@ ElementRange boxed_range(const std::vector<BoxedElement>& items, std::size_t beg
 /// Puts the elements of a range in an order whose first part belongs together and whose rest does,
 /// and returns where the second begins, strictly inside. Both parts are chosen so that boxes around
 /// them are small where elements are many (surface area heuristic, in bins), or are halves when
-/// `halve` or where all centres coincide. `range` has at least two elements.
-std::size_t part_range(std::vector<BoxedElement>& items, const ElementRange& range, bool halve);
+/// `halve` or where all centres coincide. `range` has at least two elements; `block` of
+/// them cost what one does.
+std::size_t part_range(std::vector<BoxedElement>& items, const ElementRange& range,
+                       std::size_t block, bool halve);
 
 /// Whether the centres of all elements of the range coincide.
 bool coincide(const std::vector<BoxedElement>& items, const ElementRange& range);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <utility>
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
@@ -76,6 +80,67 @@ struct Lanes {
 #endif
     }
     return bits;
+  }
+};
+
+/// How many of four bits are set.
+inline int count_bits4(unsigned bits) {
+  return static_cast<int>(0x4332322132212110U >> 4 * bits & 15);
+}
+
+/// Four lanes by size. The bits of a number that is not negative order as the number does, so each
+/// key is a value with its lane in the two lowest bits, and no step of sorting needs a branch.
+struct SortedLanes {
+  std::array<float, 4> keys;  // falling; those of closed lanes last
+  int nearest = 0;            // lane of the smallest that is open
+
+  /// `values` are finite and not negative. Bit i of `open`: lane i counts.
+  SortedLanes(Float4 values, unsigned open) {
+    const Bits lanes{0, 1, 2, 3}, flags{1, 2, 4, 8};
+    // As floats -1 and the largest.
+    constexpr std::int32_t kBelow = -0x40800000, kAbove = 0x7f7fffff;
+    const Bits below{kBelow, kBelow, kBelow, kBelow}, above{kAbove, kAbove, kAbove, kAbove};
+    const int mask = static_cast<int>(open);
+    const Bits closed = (Bits{mask, mask, mask, mask} & flags) == 0;
+    Bits bits;
+    std::memcpy(&bits, &values, sizeof(bits));
+    bits = (bits & ~3) | lanes;
+    nearest = smallest((bits & ~closed) | (closed & above));
+    bits = (bits & ~closed) | (closed & below);
+    std::memcpy(keys.data(), &bits, sizeof(bits));
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+  }
+  /// The lane of a key.
+  static int lane(float key) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &key, sizeof(bits));
+    return static_cast<int>(bits & 3);
+  }
+
+ private:
+  using Bits = std::int32_t __attribute__((vector_size(16)));
+
+  static int smallest(Bits bits) {
+#ifdef __SSE2__
+    __m128 least;
+    std::memcpy(&least, &bits, sizeof(least));
+    least = _mm_min_ps(least, _mm_movehl_ps(least, least));
+    least = _mm_min_ss(least, _mm_shuffle_ps(least, least, 1));
+    return lane(_mm_cvtss_f32(least));
+#else
+    std::int32_t least = bits[0];
+    for (int i = 1; i < 4; ++i) least = bits[i] < least ? bits[i] : least;
+    return least & 3;
+#endif
+  }
+  void order(int i, int j) {
+#ifdef __SSE2__
+    const __m128 a = _mm_set_ss(keys[i]), b = _mm_set_ss(keys[j]);
+    keys[i] = _mm_cvtss_f32(_mm_max_ss(a, b));
+    keys[j] = _mm_cvtss_f32(_mm_min_ss(a, b));
+#else
+    if (keys[i] < keys[j]) std::swap(keys[i], keys[j]);
+#endif
   }
 };
 

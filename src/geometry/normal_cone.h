@@ -9,11 +9,10 @@
 
 namespace regarment {
 
-/// All directions within an angle of an axis. Without any: empty.
+/// All directions within an angle of an axis. Without any: no axis.
 struct NormalCone {
   Vec3 axis = Vec3::Zero();
   double cosine = 2;  // of the half angle
-  double sine = -4;   // with this cosine, and no axis: passes nothing
 
   /// The cone about the mean of `normals` (unit or zero; zero ones are left out). `each(visit)`
   /// calls `visit(normal)` for each of them, the same ones every time.
@@ -31,8 +30,6 @@ struct NormalCone {
     each([&](const Vec3& normal) {
       if (!normal.isZero(0)) cone.cosine = std::min(cone.cosine, cone.axis.dot(normal));
     });
-    cone.cosine = std::max(cone.cosine, -1.0);
-    cone.sine = std::sqrt(1 - cone.cosine * cone.cosine);
     return cone;
   }
 };
@@ -61,16 +58,16 @@ struct DirectionTest {
 
 /// N cones side by side, one a lane.
 template <int N>
-struct ConeLanes {
+struct alignas(64) ConeLanes {
   using L = Lanes<N>;
-  L x = L::all(0), y = x, z = x, cosine = x, sine = x;
+  L x = L::all(0), y = x, z = x, cosine = L::all(2);
 
   void set(int lane, const NormalCone& cone) {
     x.set(lane, static_cast<float>(cone.axis.x()));
     y.set(lane, static_cast<float>(cone.axis.y()));
     z.set(lane, static_cast<float>(cone.axis.z()));
-    cosine.set(lane, static_cast<float>(cone.cosine));
-    sine.set(lane, static_cast<float>(cone.sine));
+    // Smaller by what a float loses: a sine near 0 hangs on the cosine's last digits.
+    cosine.set(lane, static_cast<float>(cone.cosine - 1e-6));
   }
 
   /// Bit i: cone i may hold a direction that passes. The direction of a cone nearest to the wanted
@@ -78,6 +75,7 @@ struct ConeLanes {
   unsigned may_pass(const DirectionTest& test) const {
     const L c = test.cosine(x, y, z);
     const L s = sqrt(max(L::all(test.length * test.length) - c * c, L::all(0)));
+    const L sine = sqrt(max(L::all(1) - cosine * cosine, L::all(0)));
     const unsigned inside = not_above(cosine * L::all(test.length), c);
     return inside | not_above(L::all(test.least), c * cosine + s * sine);
   }

@@ -18,7 +18,7 @@ constexpr double kOnEdge = 1e-14;
 constexpr double kThin = 1e-4;
 // Area by longest edge squared, below which there is no normal.
 constexpr double kNoArea = 1e-12;
-constexpr double kLargest = 1e150;
+constexpr double kLargest = 1e15;
 
 bool usable(const Vec3& v) { return (v.array().abs() <= kLargest).all(); }  // false for NaN
 

@@ -42,6 +42,8 @@ class TriangleElements {
     return {places_[item.places[0]], places_[item.places[1]], places_[item.places[2]]};
   }
   NearestPlace nearest(std::size_t i, const Vec3& query) const;
+  /// Says that elements from i on will be asked for soon.
+  [[gnu::always_inline]] void fetch(std::size_t i) const { __builtin_prefetch(&items_[i]); }
   /// Orders elements that differ in more than the index: < 0, 0, > 0.
   int compare(std::size_t i, std::size_t j) const;
 
@@ -77,6 +79,7 @@ class PointElements {
   NearestPlace nearest(std::size_t i, const Vec3& query) const {
     return {points_[i], (query - points_[i]).squaredNorm(), false};
   }
+  [[gnu::always_inline]] void fetch(std::size_t i) const { __builtin_prefetch(&points_[i]); }
   int compare(std::size_t i, std::size_t j) const;
 
  private:
