@@ -20,8 +20,7 @@ double nice_step(double least) {
   return 10.0 * ten;
 }
 
-std::vector<double> linear_ticks(const AxisRange& range, int count) {
-  const double step = nice_step((range.high - range.low) / count);
+std::vector<double> multiples(const AxisRange& range, double step) {
   std::vector<double> ticks;
   for (double i = std::ceil(range.low / step - 1e-9); i * step <= range.high + 1e-9 * step; ++i) {
     ticks.push_back(i * step);
@@ -30,8 +29,16 @@ std::vector<double> linear_ticks(const AxisRange& range, int count) {
   return ticks;
 }
 
+// A step finer where a round one would leave fewer than three.
+std::vector<double> linear_ticks(const AxisRange& range, int count) {
+  const double step = nice_step((range.high - range.low) / count);
+  std::vector<double> ticks = multiples(range, step);
+  return ticks.size() >= 3 ? ticks : multiples(range, nice_step(0.3 * step));
+}
+
 // Powers of ten within the range, times each of these.
-std::vector<double> multiples(const AxisRange& range, std::initializer_list<double> factors) {
+std::vector<double> decade_multiples(const AxisRange& range,
+                                     std::initializer_list<double> factors) {
   std::vector<double> out;
   for (double e = std::floor(std::log10(range.low)); e <= std::log10(range.high); ++e) {
     for (const double factor : factors) {
@@ -45,11 +52,11 @@ std::vector<double> multiples(const AxisRange& range, std::initializer_list<doub
 
 // As fine as leaves about `count` of them.
 std::vector<double> logarithmic_ticks(const AxisRange& range, int count) {
-  const std::vector<double> fine = multiples(range, {1.0, 1.5, 2.0, 3.0, 5.0, 7.0});
+  const std::vector<double> fine = decade_multiples(range, {1.0, 1.5, 2.0, 3.0, 5.0, 7.0});
   if (static_cast<int>(fine.size()) <= count + 1) return fine;
-  const std::vector<double> medium = multiples(range, {1.0, 2.0, 5.0});
+  const std::vector<double> medium = decade_multiples(range, {1.0, 2.0, 5.0});
   if (static_cast<int>(medium.size()) <= 2 * count) return medium;
-  return multiples(range, {1.0});
+  return decade_multiples(range, {1.0});
 }
 
 // Two digits at most, and no zero that says nothing: "0.015", "0.02", "3".

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kMost = 1e9;  // beyond it there is nothing to see, only overflow
 constexpr int kErrorDigits = 6;
+// Its root is taken of what is left beside 1, which may be as little as 1e-7.
+constexpr int kStretchDecimals = 9;
 
 std::string cell(double value) {
   return std::abs(value) <= kMost ? significant_text(value, kErrorDigits) : "";
@@ -27,7 +29,8 @@ std::string row(const FitEvaluation& e) {
   std::string line;
   for (const double length : e.dimensions) line += "," + fixed_text(length * 100.0, 3);
   line += "," + cell(e.terms.distance);
-  line += "," + (std::abs(e.terms.stretch) <= kMost ? fixed_text(e.terms.stretch, 7) : "");
+  line += "," +
+          (std::abs(e.terms.stretch) <= kMost ? fixed_text(e.terms.stretch, kStretchDecimals) : "");
   line += "," + cell(e.terms.silhouette) + "," + cell(e.error) + "," + cell(e.best);
   line += "," + cell(e.temperature) + "," + std::to_string(e.drape_steps);
   return line + (e.came_to_rest ? ",true\n" : ",false\n");

@@ -34,7 +34,6 @@ Gaps show_run(const ResultGarment& garment, const ShownRun& shown) {
   row.set("run", std::to_string(shown.index + 1));
   row.set("style", std::to_string(shown.style));
   row.set("kept", shown.style == 0);
-  row.set("seed", std::to_string(run.seed));
   row.set("ending", run.ending == FitEnding::Converged ? "converged" : "at its limit");
   row.set("evaluations", count_text(run.evaluations));
   row.set("unsettled", count_text(run.unsettled));

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostError = 1e9;
 constexpr int kErrorDigits = 6;    // significant
 constexpr int kLengthDigits = 3;   // decimals of a centimetre
-constexpr int kStretchDigits = 7;  // decimals
+constexpr int kStretchDigits = 9;  // decimals
 
 double significant(double value, const char* what) {
   if (!std::isfinite(value)) throw InvalidInput(std::string(what) + " is not a finite number");

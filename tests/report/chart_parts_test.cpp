@@ -30,6 +30,9 @@ TEST(ChartAxis, TicksAreRoundNumbers) {
   EXPECT_EQ(texts({0.0, 1.0}, 5), (Texts{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
   EXPECT_EQ(texts({1.0, 500.0}, 5), (Texts{"100", "200", "300", "400", "500"}));
   EXPECT_EQ(texts({48.3, 71.9}, 5), (Texts{"50", "55", "60", "65", "70"}));
+  // A step of 0.005 would leave two.
+  EXPECT_EQ(texts({0.0061, 0.0199}, 5),
+            (Texts{"0.008", "0.010", "0.012", "0.014", "0.016", "0.018"}));
 }
 
 TEST(ChartAxis, TicksBelowZeroHaveAMinus) {

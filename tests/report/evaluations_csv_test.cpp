@@ -48,11 +48,11 @@ TEST_F(EvaluationsCsv, HasOneRowPerEvaluation) {
   EXPECT_EQ(csv_,
             "run,evaluation,length_cm,distance_m,stretch,silhouette,error,best,temperature,"
             "drape_steps,came_to_rest\n"
-            "1,1,50.000,0.250000,1.0000000,0.250000,0.500000,0.500000,0.0100000,7,true\n"
-            "1,2,60.000,0.125000,1.0000000,0.125000,0.250000,0.250000,0.0100000,7,false\n"
-            "1,3,55.000,0.125000,1.0000000,0.250000,0.375000,0.250000,0.0100000,7,true\n"
-            "2,1,40.000,0.125000,1.0000000,,,,0.0100000,7,true\n"
-            "2,2,45.000,0.0625000,1.0000000,0.0625000,0.125000,0.125000,0.0100000,7,true\n");
+            "1,1,50.000,0.250000,1.000000000,0.250000,0.500000,0.500000,0.0100000,7,true\n"
+            "1,2,60.000,0.125000,1.000000000,0.125000,0.250000,0.250000,0.0100000,7,false\n"
+            "1,3,55.000,0.125000,1.000000000,0.250000,0.375000,0.250000,0.0100000,7,true\n"
+            "2,1,40.000,0.125000,1.000000000,,,,0.0100000,7,true\n"
+            "2,2,45.000,0.0625000,1.000000000,0.0625000,0.125000,0.125000,0.0100000,7,true\n");
 }
 
 TEST_F(EvaluationsCsv, IsReadBackAsItWas) {
@@ -77,7 +77,7 @@ TEST_F(EvaluationsCsv, OfALongSearchStaysNearIt) {
     for (std::size_t e = 0; e < runs[r].error.size(); ++e) {
       const FitEvaluation& was = trace.runs[r].evaluations[e];
       EXPECT_NEAR(runs[r].error[e] / was.error, 1.0, 1e-5);
-      EXPECT_NEAR(runs[r].terms[e].stretch, was.terms.stretch, 1e-7);
+      EXPECT_NEAR(runs[r].terms[e].stretch, was.terms.stretch, 1e-9);
       EXPECT_NEAR(runs[r].dimensions_cm[3][e], was.dimensions[3] * 100.0, 6e-4);
     }
   }
