@@ -9,11 +9,12 @@ namespace regarment {
 namespace {
 
 void require_usable(const Vec3& query, const ClosestFilter& filter) {
-  if (!query.allFinite()) throw InvalidInput("closest point: the query is not finite");
-  if (std::isnan(filter.max_distance) || std::isnan(filter.min_cosine) ||
-      (filter.min_cosine > -1 && !filter.normal.allFinite()))
-    throw InvalidInput(
-        "closest point: the filter has a distance, cosine or normal that is no number");
+  if (!(query.array().abs() <= kLargestCoordinate).all())
+    throw InvalidInput("closest point: the query is not finite or farther away than 1e15");
+  if (std::isnan(filter.max_distance) || std::isnan(filter.min_cosine))
+    throw InvalidInput("closest point: the filter's distance or cosine is not a number");
+  if (filter.min_cosine > -1 && !(filter.normal.squaredNorm() <= 1.0002))
+    throw InvalidInput("closest point: the filter's normal is longer than 1");
 }
 
 template <int K, class Elements>

@@ -18,9 +18,10 @@ constexpr double kOnEdge = 1e-14;
 constexpr double kThin = 1e-4;
 // Area by longest edge squared, below which there is no normal.
 constexpr double kNoArea = 1e-12;
-constexpr double kLargest = 1e15;
 
-bool usable(const Vec3& v) { return (v.array().abs() <= kLargest).all(); }  // false for NaN
+bool usable(const Vec3& v) {
+  return (v.array().abs() <= kLargestCoordinate).all();
+}  // false for NaN
 
 bool is_direction(const Vec3& v) { return v.isZero(0) || std::abs(v.squaredNorm() - 1) <= 2e-4; }
 

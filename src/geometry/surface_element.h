@@ -9,6 +9,9 @@
 
 namespace regarment {
 
+/// Coordinates above this are refused: their squares must fit in a float.
+constexpr double kLargestCoordinate = 1e15;
+
 /// Where an element is nearest to a query.
 struct NearestPlace {
   Vec3 point = Vec3::Zero();
@@ -26,7 +29,7 @@ class TriangleElements {
   /// the square of their longest edge, below which a normal is made of rounding alone. An edge is
   /// on the border when just one triangle that is not masked names its two vertices; one without
   /// area counts, since the surface is closed there. Throws InvalidInput when a position that is
-  /// used is not finite or too large to be squared (above 1e150), an index is out of range, or
+  /// used is not finite or above the largest coordinate, an index is out of range, or
   /// `masked` has neither no entry nor one per triangle.
   TriangleElements(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                    std::span<const std::uint8_t> masked);
@@ -64,9 +67,9 @@ class PointElements {
  public:
   PointElements() = default;
 
-  /// The points that are not masked. Throws InvalidInput when one of them is not finite or too
-  /// large to be squared, its normal is neither unit (to 1e-4) nor zero, or `normals` or `masked`
-  /// has neither no entry nor one per point.
+  /// The points that are not masked. Throws InvalidInput when one of them is not finite or
+  /// above the largest coordinate, its normal is neither unit (to 1e-4) nor zero, or `normals` or
+  /// `masked` has neither no entry nor one per point.
   PointElements(std::span<const Vec3> points, std::span<const Vec3> normals,
                 std::span<const std::uint8_t> masked);
 
