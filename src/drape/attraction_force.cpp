@@ -1,16 +1,20 @@
 #include "drape/attraction_force.h"
 
+#include <algorithm>
+
 namespace regarment {
 namespace {
 
-// Nearer than this the direction to the target is noise, m; the scan's own normal is taken.
-constexpr double kNear = 0.002;
-
-/// Unit vector across the scan's surface at the target; zero when the target has no normal: it is a
-/// point then and no surface to slide on.
-Vec3 across(const Attraction& target, const Vec3& d) {
-  if (target.normal.isZero(0)) return Vec3::Zero();
-  return target.distance < kNear ? target.normal : Vec3(d / target.distance);
+/// How the pull changes as the particle moves, over -k_a: fully across the surface; along it as
+/// much as the pull itself points along it, since it then goes to an edge or point, not to the
+/// surface.
+Mat3 change(const Attraction& target, const Vec3& d, double grip) {
+  const double squared = d.squaredNorm();
+  if (target.normal.isZero(0) || !(squared > 0)) return Mat3::Identity();
+  const Vec3& n = target.normal;
+  const double along = std::clamp(1 - n.dot(d) * n.dot(d) / squared, 0.0, 1.0);
+  const double held = grip + (1 - grip) * along;
+  return held * Mat3::Identity() + (1 - held) * n * n.transpose();
 }
 
 }  // namespace
@@ -33,9 +37,7 @@ void AttractionForce::add_forces(const Cloth& cloth, std::vector<Vec3>& forces) 
 void AttractionForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const {
   for (std::size_t i = 0; i < cloth.size(); ++i) {
     if (!targets[i].pulls) continue;
-    const Vec3 n = across(targets[i], targets[i].target - cloth.positions[i]);
-    const Mat3 block = n.isZero(0) ? Mat3(Mat3::Identity())
-                                   : Mat3(grip * Mat3::Identity() + (1 - grip) * n * n.transpose());
+    const Mat3 block = change(targets[i], targets[i].target - cloth.positions[i], grip);
     jacobian.by_position.add(static_cast<int>(i), -targets[i].weight * stiffness * block);
   }
 }

@@ -25,10 +25,9 @@ struct Surroundings {
 };
 
 Surroundings look_around(const Cloth& cloth, const ClosestPoint& scan,
-                         const std::vector<HeldEdge>& held, const DrapeOptions& options) {
+                         const DrapeOptions& options) {
   Surroundings around;
   around.targets = attract(cloth, scan, options.attraction);
-  hold(held, cloth, around.targets);
   if (options.collisions) around.contacts = find_contacts(cloth, scan);
   return around;
 }
@@ -54,6 +53,12 @@ double largest_norm(const std::vector<Vec3>& vectors) {
   double largest = 0;
   for (const Vec3& v : vectors) largest = std::max(largest, v.squaredNorm());
   return std::sqrt(largest);
+}
+
+double root_mean_square(const std::vector<Vec3>& vectors) {
+  double sum = 0;
+  for (const Vec3& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(vectors.size()));
 }
 
 /// Did a step move the cloth so little that the forces it was made from still hold? False also for
@@ -84,7 +89,7 @@ class RestWatch {
 
   void observe(const DrapeOutcome& now, double h) {
     const bool calm =
-        h >= options_.first_step && now.largest_speed < options_.rest_speed &&
+        h >= options_.first_step && now.mean_speed < options_.rest_speed &&
         std::abs(now.mean_distance - last_.mean_distance) < options_.rest_distance_change &&
         std::abs(now.mean_stretch - last_.mean_stretch) < options_.rest_stretch_change;
     calm_steps_ = calm ? calm_steps_ + 1 : 0;
@@ -100,22 +105,41 @@ class RestWatch {
 };
 
 void judge(const Cloth& cloth, const Surroundings& around, DrapeOutcome& outcome) {
+  outcome.mean_speed = root_mean_square(cloth.velocities);
   outcome.largest_speed = largest_norm(cloth.velocities);
   outcome.mean_distance = mean_distance(around.targets);
   outcome.mean_stretch = mean_stretch(cloth);
 }
 
+/// Moves the cloth by one step, of at most `h` seconds; shortens `h` until the step is acceptable.
+/// Returns how many times it was repeated.
+int move_cloth(const std::vector<Vec3>& forces, const ForceJacobian& jacobian,
+               const DrapeOptions& options, TimeStep& time_step, double& h, Cloth& cloth) {
+  const Cloth before = cloth;
+  for (int rejected = 0;; ++rejected) {
+    cloth = before;
+    advance(cloth, time_step.velocity_change(before, forces, jacobian, h, options.solver_tolerance),
+            h);
+    if (acceptable(before, cloth, options)) return rejected;
+    if (h <= options.least_step) {
+      creep(before, options, cloth);
+      return rejected;
+    }
+    h = std::max(options.least_step, kShrink * h);
+  }
+}
+
 }  // namespace
 
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
-                   const Progress& progress, const std::vector<HeldEdge>& held) {
+                   const Progress& progress) {
   options.check();
   cloth.check();
   if (scan.empty()) throw InvalidInput("drape: the scan is empty, there is nothing to lie on");
   std::vector<Vec3> forces(cloth.size());
   ForceJacobian jacobian = make_jacobian(cloth);
   TimeStep time_step(cloth);
-  Surroundings around = look_around(cloth, scan, held, options);
+  Surroundings around = look_around(cloth, scan, options);
   Hesitation hesitation(cloth.positions, around.targets);
   DrapeOutcome outcome;
   judge(cloth, around, outcome);
@@ -124,22 +148,9 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
   while (!rest.settled() && outcome.steps < options.max_steps) {
     progress.report("drape", static_cast<double>(outcome.steps) / options.max_steps);
     sum_forces(cloth, around, options, forces, jacobian);
-    const Cloth before = cloth;
-    advance(cloth, time_step.velocity_change(before, forces, jacobian, h, options.solver_tolerance),
-            h);
-    while (!acceptable(before, cloth, options)) {
-      if (h <= options.least_step) {
-        creep(before, options, cloth);
-        break;
-      }
-      ++outcome.rejected;
-      h = std::max(options.least_step, kShrink * h);
-      cloth = before;
-      advance(cloth,
-              time_step.velocity_change(before, forces, jacobian, h, options.solver_tolerance), h);
-    }
+    outcome.rejected += move_cloth(forces, jacobian, options, time_step, h, cloth);
     ++outcome.steps;
-    around = look_around(cloth, scan, held, options);
+    around = look_around(cloth, scan, options);
     hesitation.weigh(cloth.positions, around.targets);
     judge(cloth, around, outcome);
     rest.observe(outcome, h);
