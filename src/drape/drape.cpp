@@ -132,7 +132,7 @@ int move_cloth(const std::vector<Vec3>& forces, const ForceJacobian& jacobian,
 }  // namespace
 
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
-                   const Progress& progress) {
+                   const Progress& progress, const std::vector<HeldEdge>& held) {
   options.check();
   cloth.check();
   if (scan.empty()) throw InvalidInput("drape: the scan is empty, there is nothing to lie on");
@@ -141,6 +141,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
   TimeStep time_step(cloth);
   Surroundings around = look_around(cloth, scan, options);
   Hesitation hesitation(cloth.positions, around.targets);
+  hold(held, cloth, around.targets);
   DrapeOutcome outcome;
   judge(cloth, around, outcome);
   RestWatch rest(options, outcome);
@@ -152,6 +153,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
     ++outcome.steps;
     around = look_around(cloth, scan, options);
     hesitation.weigh(cloth.positions, around.targets);
+    hold(held, cloth, around.targets);
     judge(cloth, around, outcome);
     rest.observe(outcome, h);
     h = std::min(options.largest_step, kGrow * h);

@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "drape/attraction.h"
 #include "drape/cloth.h"
+#include "drape/held_edge.h"
 
 namespace regarment {
 
@@ -12,11 +13,11 @@ struct DrapeOptions {
   // k_d of sec. 3.2, N s/m. Larger takes motion along the springs out faster.
   double spring_damping = 0.05;
   // k_e of Bridson et al. 2003, N m. Larger makes smoother folds.
-  double bending_stiffness = 1e-5;
+  double bending_stiffness = 1e-4;
   // k_d of Bridson et al. 2003, N s. Larger takes folding motion out faster.
-  double bending_damping = 1e-6;
+  double bending_damping = 1e-5;
   // k_a of sec. 3.2, N/m. Larger follows the scan more closely and shows less of a wrong size.
-  double attraction_stiffness = 4.0;
+  double attraction_stiffness = 10.0;
   // Share of k_a that a step expects along a smooth surface, 0..1. Larger slides more slowly; where
   // the cloth comes to rest does not depend on it.
   double attraction_grip = 0.01;
@@ -63,12 +64,14 @@ struct DrapeOutcome {
 /// `cloth`. Deterministic. Only the resting state is of interest, so the steps are long and few:
 /// about ten when dimensions changed by a few per cent, thirty from a placement.
 ///
+/// `held`: edges that are drawn to a curve; none as in the paper.
+///
 /// One departure from the paper: a particle whose closest point keeps jumping between parts of the
 /// scan is pulled less and less (drape/hesitation.h), or it would never rest.
 ///
 /// Throws InvalidInput for cloth that is empty, not finite or whose parts do not match, and when
 /// `scan` is empty; Stopped from progress, the cloth then lies where the last step brought it.
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options = {},
-                   const Progress& progress = {});
+                   const Progress& progress = {}, const std::vector<HeldEdge>& held = {});
 
 }  // namespace regarment
