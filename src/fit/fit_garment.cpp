@@ -212,6 +212,7 @@ GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
   GarmentFit fit;
   for (const Dimension& d : garment.dimensions()) fit.trace.names.push_back(d.name);
   const Searched rough = rough_search(setting, progress);
+  fit.trace.square_root = options.square_root;
   fit.trace.weights = balance(terms_near_best(rough.run));
   for (auto& [k, v] : rough.dimensions) printf("  rough %s %.1f\n", k.c_str(), v * 100);
   printf("rough dist %.5f stretch %.4f sil %.3f\n",
