@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/annealing_options.h"
 #include "base/error.h"
 #include "base/one_line.h"
 #include "report/version.h"
@@ -29,31 +30,6 @@ std::string whole_number(const std::string& text) {
   const bool fits = !text.empty() && text.size() <= kMostDigits;
   if (fits && text.find_first_not_of("0123456789") == std::string::npos) return {};
   return "'" + text + "' is no whole number of at most 15 digits";
-}
-
-// What --method annealing can be told; the defaults are the paper's.
-void add_annealing(CLI::App& fit, FitArguments& a) {
-  const auto add = [&](CLI::Option* option) { return option->group("Method annealing"); };
-  add(fit.add_option("--runs", a.runs, "Searches from different seeds; the best is kept"))
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  add(fit.add_option("--segment-distance", a.segment_distance_mm,
-                     "Scan this near to the draped garment is labelled garment, mm"))
-      ->check(CLI::Range(0.1, 1000.0))
-      ->capture_default_str();
-  add(fit.add_option("--attraction", a.attraction,
-                     "What attracts the cloth: surface of similar normals, or the closest"))
-      ->check(CLI::IsMember({"normals", "closest"}))
-      ->capture_default_str();
-  add(fit.add_option("--normal-angle", a.normal_angle_deg,
-                     "Largest angle between normals that are similar, degrees"))
-      ->check(CLI::Range(1.0, 180.0))
-      ->capture_default_str();
-  add(fit.add_flag("--collisions", a.collisions, "Keep the cloth outside of the scan"));
-  add(fit.add_flag("!--no-cap-detection", a.cap_detection,
-                   "Let surface invented under a hem attract the cloth"));
-  add(fit.add_flag("!--no-border-rejection", a.border_rejection,
-                   "Let the border of an open scan attract the cloth"));
 }
 
 CLI::App* add_fit(CLI::App& app, FitArguments& a) {
@@ -87,7 +63,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
   fit->add_option("--ground-truth-labels", a.ground_truth_labels,
                   "True labels, one byte per vertex");
-  add_annealing(*fit, a);
+  add_annealing_options(*fit, a.annealing);
   add_speech(*fit, a.speech);
   return fit;
 }

@@ -16,6 +16,17 @@ struct Speech {
   bool json = false;   // the result as JSON on standard output
 };
 
+/// What --method annealing can be told. Where the paper's method is departed from, a switch leads
+/// back; `as_printed` is all of them.
+struct AnnealingArguments {
+  int runs = 3, evaluations = 500;
+  double segment_distance_mm = 10, normal_angle_deg = 60;
+  std::string attraction = "normals", drape_from = "best";
+  bool collisions = false, cap_detection = true, border_rejection = true;
+  bool held_edges = true, rough_search = true, hesitation = true, square_root = true;
+  bool as_printed = false;
+};
+
 /// regarment fit SCAN --garment TEMPLATE ... --out DIR
 struct FitArguments {
   Speech speech;
@@ -25,10 +36,7 @@ struct FitArguments {
   std::string method = "direct", units = "auto", up = "auto", front = "auto";
   std::uint64_t seed = 1;
   int threads = 0;  // 0: as many as the machine has
-  int runs = 3;
-  double segment_distance_mm = 10, normal_angle_deg = 60;
-  std::string attraction = "normals";
-  bool collisions = false, cap_detection = true, border_rejection = true;
+  AnnealingArguments annealing;
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
 };
 

@@ -1,9 +1,8 @@
-#include <cstdio>
-#include <numbers>
 #include <thread>
 #include <utility>
 
 #include "analysis/analyze.h"
+#include "app/annealing_options.h"
 #include "app/commands.h"
 #include "base/one_line.h"
 #include "base/stopwatch.h"
@@ -36,28 +35,6 @@ std::vector<fs::path> inputs_of(const FitArguments& a) {
   return inputs;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-
-void add_annealing_options(const FitArguments& a,
-                           std::vector<std::pair<std::string, std::string>>& out) {
-  const FitArguments usual;
-  if (a.runs != usual.runs) out.emplace_back("runs", std::to_string(a.runs));
-  if (a.segment_distance_mm != usual.segment_distance_mm)
-    out.emplace_back("segment-distance", number(a.segment_distance_mm));
-  if (a.attraction != usual.attraction) out.emplace_back("attraction", a.attraction);
-  if (a.normal_angle_deg != usual.normal_angle_deg)
-    out.emplace_back("normal-angle", number(a.normal_angle_deg));
-  for (const auto& [name, chosen] :
-       {std::pair("collisions", a.collisions), std::pair("no-cap-detection", !a.cap_detection),
-        std::pair("no-border-rejection", !a.border_rejection)}) {
-    if (chosen) out.emplace_back(name, "");
-  }
-}
-
 // What the user chose away from the defaults, and what makes the same result again.
 std::vector<std::pair<std::string, std::string>> chosen_options(const FitArguments& a) {
   std::vector<std::pair<std::string, std::string>> out;
@@ -70,7 +47,9 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
   add("units", a.units);
   add("up", a.up);
   add("front", a.front);
-  if (a.method == "annealing") add_annealing_options(a, out);
+  if (a.method == "annealing") {
+    for (auto& option : chosen_annealing(a.annealing)) out.push_back(std::move(option));
+  }
   add_file("placement", a.placement);
   add_file("ground-truth", a.ground_truth);
   add_file("ground-truth-labels", a.ground_truth_labels);
@@ -81,16 +60,9 @@ AnalyzeOptions analyze_options(const FitArguments& a, int threads) {
   AnalyzeOptions how;
   if (a.placement) how.placement = read_placement(*a.placement);
   if (a.method == "annealing") how.method = Method::Annealing;
-  how.segment_distance = a.segment_distance_mm / 1000;
-  how.cap_detection = a.cap_detection;
-  how.fit.runs = a.runs;
+  apply_annealing(a.annealing, how);
   how.fit.seed = a.seed;
   how.fit.threads = threads;
-  how.fit.drape.collisions = a.collisions;
-  AttractionOptions& attraction = how.fit.drape.attraction;
-  attraction.by_normals = a.attraction == "normals";
-  attraction.normal_angle = a.normal_angle_deg * std::numbers::pi / 180;
-  attraction.border_rejection = a.border_rejection;
   return how;
 }
 

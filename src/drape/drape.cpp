@@ -152,7 +152,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
     outcome.rejected += move_cloth(forces, jacobian, options, time_step, h, cloth);
     ++outcome.steps;
     around = look_around(cloth, scan, options);
-    hesitation.weigh(cloth.positions, around.targets);
+    if (options.hesitation) hesitation.weigh(cloth.positions, around.targets);
     hold(held, cloth, around.targets);
     judge(cloth, around, outcome);
     rest.observe(outcome, h);

@@ -22,6 +22,8 @@ struct DrapeOptions {
   // the cloth comes to rest does not depend on it.
   double attraction_grip = 0.01;
   AttractionOptions attraction;
+  // Particles whose closest point keeps jumping are pulled less and less; false: as printed.
+  bool hesitation = true;
   // Downwards, m/s^2; 0 as in the paper, whose cloth is held by the attraction alone.
   double gravity = 0.0;
   // Cloth-scan contact [sec. 3.2: off, it works against the attraction and lengths come out too
@@ -35,7 +37,8 @@ struct DrapeOptions {
   // stretch would change by more. Smaller is safer and slower.
   double largest_move = 0.05, largest_stretch_change = 0.1;
   // Each step's linear system is solved until its residual has fallen to this share. Smaller costs
-  // time and gains little, since the next step sees what is left.
+  // time and gains little, since the next step sees what is left. With gravity take 1e-5: what is
+  // left of it would shake the cloth.
   double solver_tolerance = 1e-2;
   int max_steps = 100;
   // At rest when the root mean square of the particles' speeds is below this, m/s, and the mean

@@ -18,8 +18,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::uint32_t kRoughStream = 1'000'000;  // of random numbers, apart from those of runs
-
 /// What all runs share.
 struct Setting {
   const GarmentTemplate& garment;
@@ -119,9 +117,11 @@ Searched search(const Setting& setting, const Beginning& beginning,
 /// the runs begin.
 Searched rough_search(const Setting& setting, const Progress& progress) {
   AnnealedSimplexOptions how = setting.options.search;
-  how.max_evaluations = setting.options.rough_evaluations;
+  const int simplex = static_cast<int>(setting.garment.dimensions().size()) + 2;
+  how.max_evaluations =
+      setting.options.rough_search ? std::max(simplex, setting.options.rough_evaluations) : simplex;
   how.start_temperature = 0;
-  Random random(setting.options.seed, kRoughStream);
+  Random random(setting.options.seed);  // not asked at temperature zero: all seeds begin alike
   Beginning beginning;
   beginning.at =
       setting.per_dimension([&](const Dimension& d) { return setting.start.at(d.name); });
@@ -143,7 +143,8 @@ std::vector<ErrorTerms> terms_near_best(const FitRun& rough) {
 
 Searched annealed_run(const Setting& setting, const Dimensions& rough, const ErrorWeights& weights,
                       int index, RunMonitor& monitor) {
-  Random random(setting.options.seed, static_cast<std::uint32_t>(index));
+  const std::uint64_t seed = setting.options.seed + static_cast<std::uint64_t>(index);
+  Random random(seed);
   const Beginning beginning = near(setting, rough, random);
   Searched out = search(
       setting, beginning, setting.options.search, random,
@@ -151,7 +152,7 @@ Searched annealed_run(const Setting& setting, const Dimensions& rough, const Err
         return total_error(terms, weights, setting.options.square_root);
       },
       [&](const SearchStep& step) { monitor.evaluated(index, step.evaluation, step.best); });
-  out.run.seed = setting.options.seed;
+  out.run.seed = seed;
   return out;
 }
 
@@ -230,7 +231,6 @@ GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
   fit.draped = at_vertices(pattern, best->particles);
   fit.drape = best->outcome;
   for (Searched& one : found) fit.trace.runs.push_back(std::move(one.run));
-  progress.report("fit", 1.0);
   return fit;
 }
 

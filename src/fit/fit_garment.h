@@ -18,7 +18,9 @@ struct FitOptions {
   int runs = 3;  // from different seeds; the smallest error is kept [sec. 4]
   std::uint64_t seed = 1;
   int threads = 0;  // at most; 0: as many as the machine has
-  // Of a first search by E_dist alone, after which the weights are chosen and the runs begin.
+  // A first search of `rough_evaluations` drapes by E_dist alone, which needs no weights: these are
+  // chosen near its result, and the runs begin there. False: at the starting dimensions.
+  bool rough_search = true;
   int rough_evaluations = 60;
   double first_edge = 0.1;    // edges of the first simplex, share of each dimension
   int silhouette_size = 256;  // pixels

@@ -33,7 +33,7 @@ enum class FitEnding { Converged, EvaluationLimit };
 
 /// One run of the search from one seed.
 struct FitRun {
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;  // alone it gives the same run again
   FitEnding ending = FitEnding::EvaluationLimit;
   std::vector<FitEvaluation> evaluations;  // in order
   std::size_t best = 0;                    // index of the evaluation with the smallest error

@@ -138,7 +138,8 @@ std::string command_line(const Result& result, const ReportOptions& options) {
   }
   line += " --method " + shell_quoted(result.method) + " --seed " + std::to_string(result.seed);
   for (const auto& [name, value] : options.options) {
-    line += " --" + name + " " + shell_quoted(one_line(value, 4096));
+    line += " --" + name;
+    if (!value.empty()) line += " " + shell_quoted(one_line(value, 4096));
   }
   return line + " --out DIR";
 }
