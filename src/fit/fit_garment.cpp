@@ -215,12 +215,8 @@ GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
   const Searched rough = rough_search(setting, progress);
   fit.trace.square_root = options.square_root;
   fit.trace.weights = balance(terms_near_best(rough.run));
-  for (auto& [k, v] : rough.dimensions) printf("  rough %s %.1f\n", k.c_str(), v * 100);
-  printf("rough dist %.5f stretch %.4f sil %.3f\n",
-         rough.run.evaluations[rough.run.best].terms.distance,
-         rough.run.evaluations[rough.run.best].terms.stretch,
-         rough.run.evaluations[rough.run.best].terms.silhouette);
-  std::vector<Searched> found = search_all(setting, rough.dimensions, fit.trace.weights, progress);
+  const Dimensions& first = options.rough_search ? rough.dimensions : start;
+  std::vector<Searched> found = search_all(setting, first, fit.trace.weights, progress);
   const auto best = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return error_of(a.run) < error_of(b.run);
   });
