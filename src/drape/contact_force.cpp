@@ -6,9 +6,13 @@ namespace {
 // What is farther from the surface is not in contact with it, m.
 constexpr double kReach = 0.05;
 
+// What is nearer to contact than this counts in the Jacobian, m: a particle that was pushed out
+// would otherwise keep the speed of the push and bounce for ever.
+constexpr double kSkin = 0.0005;
+
 /// How far a particle lies too deep, m; negative or zero: no contact.
 double depth(const Contact& contact, const Vec3& particle, double thickness) {
-  if (contact.normal.isZero(0)) return 0;
+  if (contact.normal.isZero(0)) return -kReach;
   return thickness - contact.normal.dot(particle - contact.point);
 }
 
@@ -44,7 +48,7 @@ void ContactForce::add_forces(const Cloth& cloth, std::vector<Vec3>& forces) con
 void ContactForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const {
   for (std::size_t i = 0; i < cloth.size(); ++i) {
     const Vec3& n = contacts[i].normal;
-    if (depth(contacts[i], cloth.positions[i], thickness) > 0)
+    if (depth(contacts[i], cloth.positions[i], thickness) > -kSkin)
       jacobian.by_position.add(static_cast<int>(i), -stiffness * n * n.transpose());
   }
 }

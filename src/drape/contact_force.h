@@ -29,7 +29,8 @@ struct ContactForce {
   double energy(const Cloth& cloth) const;
   /// Adds to one force per particle, N.
   void add_forces(const Cloth& cloth, std::vector<Vec3>& forces) const;
-  /// Exact for a plane.
+  /// Exact for a plane, but for particles up to half a millimetre outside of the contact, which it
+  /// holds so that they do not bounce.
   void add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const;
 };
 
