@@ -12,6 +12,15 @@
 
 namespace regarment {
 
+/// What floats of a tree count from, and how far from there they are good for bounds. Elements
+/// that reach farther, strays, get no number, which every bound passes; boxes keep them apart.
+struct FloatFrame {
+  Vec3 centre = Vec3::Zero();
+  double reach = 0;  // along each axis
+
+  bool holds(const Vec3& from_centre) const { return from_centre.cwiseAbs().maxCoeff() <= reach; }
+};
+
 /// Triangles side by side as floats, good for a lower bound of the squared distance to each: a
 /// triangle lies in its plane and behind the three planes square to it through its edges. The bound
 /// is exact but beyond the corners.
@@ -31,7 +40,7 @@ struct alignas(64) TriangleBlock {
       z.set(lane, static_cast<float>(normal.z()));
     }
     // The normal as it is kept.
-    Vec3 kept(int lane) const { return {double{x[lane]}, double{y[lane]}, double{z[lane]}}; }
+    Vec3 kept(int lane) const { return Eigen::Vector3f(x[lane], y[lane], z[lane]).cast<double>(); }
   };
   Plane face;
   std::array<Plane, 3> edges;
@@ -44,17 +53,17 @@ struct alignas(64) TriangleBlock {
   }
   L cosine(const DirectionTest& test) const { return test.cosine(face.x, face.y, face.z); }
 
-  /// `slack`: how far a corner may be off the plane as kept; a triangle too thin to have a good
-  /// plane gets no number for its offset, so that every bound passes it.
-  void set(int lane, const TriangleElements& elements, std::size_t i, const Vec3& centre,
-           double slack) {
+  /// A triangle too thin to have a good plane gets no number either.
+  void set(int lane, const TriangleElements& elements, std::size_t i, const FloatFrame& frame) {
     std::array<Vec3, 3> corner = elements.corners(i);
-    for (Vec3& c : corner) c -= centre;
+    for (Vec3& c : corner) c -= frame.centre;
     const Vec3 normal = elements.normal(i);
     face.set(lane, normal);
     const auto [low, high] = extent(face.kept(lane), corner);
-    face.offset.set(lane, high - low <= slack ? static_cast<float>((low + high) / 2)
-                                              : std::numeric_limits<float>::quiet_NaN());
+    const bool good = high - low <= frame.reach * 0x1p-22 && frame.holds(corner[0]) &&
+                      frame.holds(corner[1]) && frame.holds(corner[2]);
+    face.offset.set(lane, good ? static_cast<float>((low + high) / 2)
+                               : std::numeric_limits<float>::quiet_NaN());
     for (int k = 0; k < 3; ++k) {
       const Vec3& from = corner[(k + 1) % 3];
       Vec3 outward = (corner[(k + 2) % 3] - from).cross(normal).normalized();
@@ -79,12 +88,13 @@ struct alignas(64) PointBlock {
 
   L squared_gap(const std::array<float, 3>& p) const {
     const L dx = x - L::all(p[0]), dy = y - L::all(p[1]), dz = z - L::all(p[2]);
-    return dx * dx + dy * dy + dz * dz;
+    return max(dx * dx + dy * dy + dz * dz, L::all(0));  // 0 without a number
   }
   L cosine(const DirectionTest& test) const { return test.cosine(nx, ny, nz); }
 
-  void set(int lane, const PointElements& elements, std::size_t i, const Vec3& centre, double) {
-    const Vec3 p = elements.corners(i)[0] - centre;
+  void set(int lane, const PointElements& elements, std::size_t i, const FloatFrame& frame) {
+    Vec3 p = elements.corners(i)[0] - frame.centre;
+    if (!frame.holds(p)) p.setConstant(std::numeric_limits<double>::quiet_NaN());
     Vec3 normal = elements.normal(i);
     if (normal.isZero(0)) normal.setConstant(std::numeric_limits<double>::quiet_NaN());
     x.set(lane, static_cast<float>(p.x()));

@@ -35,7 +35,7 @@ struct KDopAxes {
   }
 };
 
-/// Extent along each direction, as floats. Starts empty.
+/// Extent along each direction, as floats rounded outwards. Starts empty.
 template <int K>
 struct KDop {
   static constexpr int kCount = KDopAxes<K>::kCount;
@@ -48,8 +48,10 @@ struct KDop {
   void add(const Vec3& p) {
     const std::array<double, kCount> along = KDopAxes<K>::project(p);
     for (int d = 0; d < kCount; ++d) {
-      low[d] = std::min(low[d], static_cast<float>(along[d]));
-      high[d] = std::max(high[d], static_cast<float>(along[d]));
+      const auto near = static_cast<float>(along[d]);
+      const float step = std::abs(near) * 0x1p-23F;  // half of it is lost at most
+      low[d] = std::min(low[d], near - step);
+      high[d] = std::max(high[d], near + step);
     }
   }
   void add(const KDop& other) {

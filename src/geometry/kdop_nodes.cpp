@@ -17,7 +17,7 @@ class Builder {
   static constexpr std::size_t kBlock = Nodes::Block::kSize;
 
   Builder(const Elements& from, Nodes& to) : from_(from), to_(to) {
-    frame();
+    set_frame();
     box_elements();
     for (std::size_t i = 0; i < from.size(); ++i) normals_.push_back(from.normal(i));
     add_node(boxed_range(items_, 0, items_.size()), 0);
@@ -25,23 +25,33 @@ class Builder {
   }
 
  private:
-  void frame() {
-    Vec3 low = from_.corners(0)[0], high = low;
-    for (std::size_t i = 0; i < from_.size(); ++i) {
-      for (const Vec3& corner : from_.corners(i)) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-      }
+  // Around the median, with room for all elements, but at most for four times what nine in ten of
+  // them need: a few strays far away cost the others none of the floats' digits.
+  void set_frame() {
+    std::vector<double> values(from_.size());
+    const auto ranked = [&](double rank) {
+      const auto at = values.begin() +
+                      static_cast<std::ptrdiff_t>(rank * static_cast<double>(values.size() - 1));
+      std::nth_element(values.begin(), at, values.end());
+      return *at;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = from_.corners(i)[0][axis];
+      to_.frame.centre[axis] = ranked(0.5);
     }
-    to_.centre = low + (high - low) / 2;
-    to_.size = (high - low).maxCoeff() / 2;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = 0;
+      for (const Vec3& corner : from_.corners(i))
+        values[i] = std::max(values[i], (corner - to_.frame.centre).cwiseAbs().maxCoeff());
+    }
+    to_.frame.reach = std::min(4 * ranked(0.9), ranked(1));
   }
 
   void box_elements() {
     items_.resize(from_.size());
     for (std::size_t i = 0; i < from_.size(); ++i) {
       KDop<6> box;
-      for (const Vec3& corner : from_.corners(i)) box.add(corner - to_.centre);
+      for (const Vec3& corner : from_.corners(i)) box.add(corner - to_.frame.centre);
       items_[i] = {box.low, box.high, static_cast<std::uint32_t>(i)};
     }
   }
@@ -82,17 +92,22 @@ class Builder {
           children.begin(), children.end(),
           [&](const ElementRange& a, const ElementRange& b) { return rank(a) < rank(b); });
       if (largest->size() <= kBlock) break;
-      if (coincide(items_, *largest) && drop_repeats(*largest)) continue;
+      if (!largest->distinct && coincide(items_, *largest)) {
+        drop_repeats(*largest);
+        continue;
+      }
       const std::size_t middle = part_range(items_, *largest, kBlock, depth > kDeep);
-      const ElementRange second = boxed_range(items_, middle, largest->end);
+      ElementRange second = boxed_range(items_, middle, largest->end);
+      second.distinct = largest->distinct;
       *largest = boxed_range(items_, largest->begin, middle);
+      largest->distinct = second.distinct;
       children.insert(largest + 1, second);
     }
     return children;
   }
 
   // Of elements that are the same in all but the index the first is enough.
-  bool drop_repeats(ElementRange& range) {
+  void drop_repeats(ElementRange& range) {
     const auto begin = items_.begin() + range.begin, end = items_.begin() + range.end;
     std::sort(begin, end, [&](const BoxedElement& a, const BoxedElement& b) {
       const int order = from_.compare(a.element, b.element);
@@ -102,7 +117,7 @@ class Builder {
       return from_.compare(a.element, b.element) == 0;
     });
     range.end = static_cast<std::size_t>(last - items_.begin());
-    return last != end;
+    range.distinct = true;
   }
 
   KDop<K> add_block(const ElementRange& range) {
@@ -110,9 +125,9 @@ class Builder {
     typename Nodes::Block block;
     for (std::size_t lane = 0; lane < kBlock; ++lane) {
       const std::uint32_t i = items_[std::min(range.begin + lane, range.end - 1)].element;
-      block.set(static_cast<int>(lane), from_, i, to_.centre, to_.size * 0x1p-22);
+      block.set(static_cast<int>(lane), from_, i, to_.frame);
       order_.push_back(i);
-      for (const Vec3& corner : from_.corners(i)) dop.add(corner - to_.centre);
+      for (const Vec3& corner : from_.corners(i)) dop.add(corner - to_.frame.centre);
     }
     to_.blocks.push_back(block);
     return dop;

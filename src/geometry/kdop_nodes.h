@@ -26,9 +26,8 @@ struct KDopNodes {
   std::vector<Node> nodes;               // the root first; none when there are no elements
   std::vector<ConeLanes<kWidth>> cones;  // of each node's children
   std::vector<Block> blocks;
-  Elements elements;           // Block::kSize per block; the last one again where there are fewer
-  Vec3 centre = Vec3::Zero();  // where floats count from
-  double size = 0;             // largest coordinate from there
+  Elements elements;  // Block::kSize per block; the last one again where there are fewer
+  FloatFrame frame;
 
   explicit KDopNodes(const Elements& from);
 };

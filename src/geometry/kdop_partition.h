@@ -19,7 +19,8 @@ struct BoxedElement {
 /// Elements [begin, end) of a list being put in order.
 struct ElementRange {
   std::size_t begin = 0, end = 0;
-  float half_area = 0;  // of the box around them
+  float half_area = 0;    // of the box around them
+  bool distinct = false;  // no two of them are known to be the same
 
   std::size_t size() const { return end - begin; }
 };

@@ -21,10 +21,10 @@ class KDopSearch {
 
   KDopSearch(const Nodes& nodes, const Vec3& query, const ClosestFilter& filter)
       : nodes_(nodes), query_(query), filter_(filter), test_(filter.normal, filter.min_cosine) {
-    const Vec3 from_centre = query - nodes.centre;
+    const Vec3 from_centre = query - nodes.frame.centre;
     const auto along = KDopAxes<K>::project(from_centre);
     for (int d = 0; d < KDopAxes<K>::kCount; ++d) along_[d] = static_cast<float>(along[d]);
-    const double margin = 0x1p-20 * (from_centre.template lpNorm<1>() + 3 * nodes.size);
+    const double margin = 0x1p-20 * (from_centre.template lpNorm<1>() + 3 * nodes.frame.reach);
     margin_squared_ = margin * margin;
     best_squared_ = filter.max_distance * filter.max_distance;
     tighten();

@@ -76,7 +76,10 @@ struct Lanes {
 #ifdef __SSE2__
       bits |= static_cast<unsigned>(_mm_movemask_ps(_mm_cmpngt_ps(a.part[i], b.part[i]))) << 4 * i;
 #else
-      for (int k = 0; k < 4; ++k) bits |= (a.part[i][k] > b.part[i][k] ? 0U : 1U) << (4 * i + k);
+      std::array<float, 4> x, y;
+      std::memcpy(x.data(), &a.part[i], sizeof(x));
+      std::memcpy(y.data(), &b.part[i], sizeof(y));
+      for (int k = 0; k < 4; ++k) bits |= (x[k] > y[k] ? 0U : 1U) << (4 * i + k);
 #endif
     }
     return bits;

@@ -190,6 +190,25 @@ TYPED_TEST(ClosestPointReference, IsExactFarFromTheOrigin) {
   expect_as_brute_force<typename TestFixture::Tree>(sphere(12, centre), {}, centre, 5e5);
 }
 
+TYPED_TEST(ClosestPointReference, IsExactBesideStrays) {
+  // Asked near the sphere, where the strays must not cost a digit, and from beside the strays.
+  Mesh mesh = sphere(8);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const double far : {1e3, 1e9}) {
+    mesh.positions.insert(mesh.positions.end(),
+                          {Vec3(far, 0, 0), Vec3(far, 1, 0), Vec3(far, 0, 1)});
+    mesh.normals.insert(mesh.normals.end(), 3, Vec3::UnitX());
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first + 3, first + 4, first + 5});
+  mesh.triangles.push_back({0, first, first + 3});  // from the sphere past all of them
+  expect_as_brute_force<typename TestFixture::Tree>(mesh, {});
+  expect_as_brute_force<typename TestFixture::Tree>(mesh, {}, Vec3(1e9, 0.3, 0.2), 1e9);
+  mesh.triangles.clear();
+  expect_as_brute_force<typename TestFixture::Tree>(mesh, {});
+  expect_as_brute_force<typename TestFixture::Tree>(mesh, {}, Vec3(1e9, 0.3, 0.2), 1e9);
+}
+
 TYPED_TEST(ClosestPointReference, IsExactAmongElementsOfAllSizes) {
   // Each point half as far out as the one before: a tree that halves space is 900 levels deep.
   Mesh mesh;

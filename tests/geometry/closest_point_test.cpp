@@ -143,6 +143,7 @@ TEST(ClosestPoint, KnowsTheBorderOfAPatch) {
   EXPECT_TRUE(tree.closest({-1, 0.5, 0.2}).on_border);    // beyond the left edge
   EXPECT_TRUE(tree.closest({0, 0.5, 0.2}).on_border);     // right above it
   EXPECT_TRUE(tree.closest({-1, -1, 0}).on_border);       // a corner of the patch
+  EXPECT_TRUE(tree.closest({3, 3, 0}).on_border);         // the vertex of the highest index
   EXPECT_TRUE(tree.closest({1, -1, 0}).on_border);        // a vertex between two border edges
   EXPECT_FALSE(tree.closest({0.5, 0.2, 0.2}).on_border);  // inside a triangle
   EXPECT_FALSE(tree.closest({0.5, 0.5, 0.2}).on_border);  // on an edge two triangles share
@@ -215,6 +216,37 @@ TEST(ClosestPoint, LetsPassWhatIsJustAtTheAngle) {
   const double above = std::nextafter(0.8, 1);
   EXPECT_EQ(tree.closest({1, 0, 0}, {.normal = Vec3::UnitY(), .min_cosine = above}).element, 1u);
   EXPECT_FALSE(tree.closest({1, 0, 0}, {.normal = -Vec3::UnitY(), .min_cosine = 0.1}).found());
+}
+
+TEST(ClosestPoint, DecidesTheAngleInDouble) {
+  Dice dice(12);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 normal = Vec3(dice.normal(1), dice.normal(1), dice.normal(1)).normalized();
+    const Vec3 wanted = Vec3(dice.normal(1), dice.normal(1), dice.normal(1)).normalized();
+    const ClosestPoint tree = tree_of_points({{0, 0, 0}}, {normal});
+    const double cosine = normal.dot(wanted), above = std::nextafter(cosine, 2);
+    EXPECT_TRUE(tree.closest({1, 2, 3}, {.normal = wanted, .min_cosine = cosine}).found());
+    EXPECT_FALSE(tree.closest({1, 2, 3}, {.normal = wanted, .min_cosine = above}).found());
+  }
+}
+
+TEST(ClosestPoint, FindsSliversWhoseNormalIsMostlyRounding) {
+  Dice dice(13);
+  const auto somewhere = [&] {
+    return Vec3(dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1));
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = somewhere(), b = somewhere(), middle = (a + b) / 2;
+    const Vec3 aside = (b - a).cross(somewhere()).normalized();
+    const std::vector<Vec3> positions{a, b, middle + 1e-11 * aside};
+    const std::vector<Triangle> triangles{{0, 1, 2}};
+    const ClosestPoint tree{std::span<const Vec3>(positions), std::span<const Triangle>(triangles)};
+    // Straight out from its long edge, 0.5 away.
+    const Vec3 out = (b - a).cross(somewhere()).normalized();
+    const ClosestHit hit = tree.closest(middle + 0.5 * out, {.max_distance = 0.5 + 1e-9});
+    ASSERT_TRUE(hit.found());
+    EXPECT_NEAR(std::sqrt(hit.squared_distance), 0.5, 2e-11);  // the sliver's width
+  }
 }
 
 TEST(ClosestPoint, PassesOverPointsWithoutNormalWhenFiltered) {
