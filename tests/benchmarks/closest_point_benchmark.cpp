@@ -3,12 +3,12 @@
 // thread, whose processor time is counted, so that other programs disturb little.
 #include "geometry/closest_point.h"
 
-#include <ctime>
-
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 
 #include "base/error.h"
@@ -23,8 +23,12 @@ namespace regarment {
 std::vector<Vec3> face_normals(const Mesh& mesh) {
   std::vector<Vec3> normals;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3& origin = mesh.positions[a];
-    normals.push_back((mesh.positions[b] - origin).cross(mesh.positions[c] - origin).normalized());
+    const Vec3 ab = mesh.positions[b] - mesh.positions[a],
+               ac = mesh.positions[c] - mesh.positions[a];
+    const Vec3 across = ab.cross(ac);
+    // Rounding alone must not give a normal, with which a filter could let a triangle pass.
+    const bool has_area = across.norm() > 1e-12 * std::max(ab.squaredNorm(), ac.squaredNorm());
+    normals.push_back(has_area ? across.normalized() : Vec3(Vec3::Zero()));
   }
   return normals;
 }
@@ -157,7 +161,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Largest difference to the first finder's distances, in metres.
+// Largest difference to the first finder's distances, in metres; Embree's are floats.
 double disagreement(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
