@@ -35,4 +35,10 @@ double silhouette_error(std::span<const Silhouette> model, std::span<const Silho
   return sum;
 }
 
+double unseen_error(std::span<const Silhouette> model) {
+  double sum = 0;
+  for (const Silhouette& side : model) sum += static_cast<double>(side.area()) + 1;
+  return sum;
+}
+
 }  // namespace regarment

@@ -16,4 +16,8 @@ double total_error(const ErrorTerms& terms, const ErrorWeights& weights, bool sq
 /// when a silhouette of the garment is empty.
 double silhouette_error(std::span<const Silhouette> model, std::span<const Silhouette> garment);
 
+/// E_sil of a garment that is not seen: the largest that one seen from every side can have, which
+/// shows a single pixel beside the model.
+double unseen_error(std::span<const Silhouette> model);
+
 }  // namespace regarment

@@ -104,6 +104,12 @@ void FitOptions::check() const {
   if (!(first_edge > 0 && first_edge < 1))
     throw InvalidInput("FitOptions: first_edge is " + std::to_string(first_edge) +
                        "; it must lie between 0 and 1");
+  if (!(rough_evaluations >= 1 && rough_evaluations <= 100'000))
+    throw InvalidInput("FitOptions: rough_evaluations is " + std::to_string(rough_evaluations) +
+                       "; it may be 1 to 100000");
+  if (!(silhouette_size >= 16 && silhouette_size <= 4096))
+    throw InvalidInput("FitOptions: silhouette_size is " + std::to_string(silhouette_size) +
+                       "; it may be 16 to 4096");
 }
 
 GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
@@ -125,6 +131,9 @@ GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
   fit.trace.best_run = static_cast<std::size_t>(best - found.begin());
   fit.dimensions = best->dimensions;
   fit.terms = best->run.evaluations[best->run.best].terms;
+  if (fit.terms.silhouette >= unseen_error(target.silhouettes()))
+    throw NoGarmentError("no drape of the " + garment.name() +
+                         " stayed on the scan; check the scan's units and axes");
   fit.error = error_of(best->run);
   fit.draped = at_vertices(pattern, best->particles);
   fit.drape = best->outcome;

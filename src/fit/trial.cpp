@@ -2,9 +2,22 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "fit/error_terms.h"
 
 namespace regarment {
+namespace {
+
+/// One trial that slides off the scan must not end the search.
+double silhouette_term(std::span<const Silhouette> model, std::span<const Silhouette> garment) {
+  try {
+    return silhouette_error(model, garment);
+  } catch (const NoGarmentError&) {
+    return unseen_error(model);
+  }
+}
+
+}  // namespace
 
 Trial::Trial(const GarmentTemplate& garment, const Pattern& pattern,
              const std::vector<Vec3>& placed, const FitTarget& target,
@@ -24,7 +37,7 @@ ErrorTerms Trial::judge(const Dimensions& dimensions, const Progress& progress) 
   outcome_ = drape(cloth_, target_.surface(), options_, progress, held_);
   const std::vector<Silhouette> seen = renderer_.draw(cloth_.positions, target_.cameras());
   return {outcome_.mean_distance, outcome_.mean_stretch,
-          silhouette_error(target_.silhouettes(), seen)};
+          silhouette_term(target_.silhouettes(), seen)};
 }
 
 }  // namespace regarment

@@ -22,7 +22,8 @@ class Trial {
         const FitTarget& target, const std::vector<HeldEdge>& held, const DrapeOptions& options);
 
   /// Drapes the garment at these dimensions, which must make a garment, and judges it by the terms
-  /// of Eq. (1). Throws as `drape` and `silhouette_error` do.
+  /// of Eq. (1). Cloth that has slid out of the pictures has the `unseen_error`. Throws as `drape`
+  /// does.
   ErrorTerms judge(const Dimensions& dimensions, const Progress& progress = {});
 
   /// Puts the particles there; the next drape starts from them.
