@@ -87,6 +87,19 @@ TEST(SilhouetteError, RefusesAGarmentThatIsNotSeen) {
   EXPECT_THROW(silhouette_error({{none}}, {{none}}), NoGarmentError);
 }
 
+TEST(UnseenError, NoGarmentThatIsSeenHasALargerOne) {
+  const Silhouette model = mask({"##.", "##.", "..."}), dot = mask({"...", "...", "..#"});
+  // A pixel beside the model: 4 + 1 differ, over 1; any other garment is nearer or larger.
+  EXPECT_DOUBLE_EQ(unseen_error({{model}}), 5);
+  EXPECT_DOUBLE_EQ(silhouette_error({{model}}, {{dot}}), 5);
+  for (unsigned bits = 1; bits < 512; ++bits) {
+    Silhouette garment = dot;
+    for (unsigned i = 0; i < 9; ++i) garment.covered[i] = (bits >> i) & 1U;
+    EXPECT_LE(silhouette_error({{model}}, {{garment}}), 5) << bits;
+  }
+  EXPECT_DOUBLE_EQ(unseen_error({{model, model, dot}}), 5 + 5 + 2);
+}
+
 TEST(SilhouetteError, RefusesSidesAndSizesThatDoNotMatch) {
   const Silhouette small = mask({"##", "##"}), large = mask({"###", "###", "###"});
   EXPECT_THROW(silhouette_error({{small, small}}, {{small}}), InvalidInput);
