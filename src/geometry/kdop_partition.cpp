@@ -72,7 +72,8 @@ CentreExtent centre_extent(const std::vector<BoxedElement>& items, const Element
 }
 
 float blocks(std::size_t count, std::size_t block) {
-  return static_cast<float>((count + block - 1) / block);
+  const std::size_t whole = (count + block - 1) / block;
+  return static_cast<float>(whole);
 }
 
 void find_best(const std::array<Bin, kBins>& bins, int axis, std::size_t block, Split& best) {
