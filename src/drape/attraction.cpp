@@ -29,14 +29,15 @@ void AttractionOptions::check() const {
 }
 
 std::vector<Attraction> attract(const Cloth& cloth, const ClosestPoint& scan,
-                                const AttractionOptions& options) {
+                                const AttractionOptions& options,
+                                const std::vector<std::uint8_t>& any_side) {
   const std::vector<Vec3> normals =
       options.by_normals ? particle_normals(cloth) : std::vector<Vec3>(cloth.size(), Vec3::Zero());
   std::vector<Attraction> out;
   out.reserve(cloth.size());
   for (std::size_t i = 0; i < cloth.size(); ++i) {
     ClosestFilter filter;
-    if (!normals[i].isZero(0)) {
+    if (!normals[i].isZero(0) && (any_side.empty() || any_side[i] == 0)) {
       filter.normal = normals[i];
       filter.min_cosine = std::cos(options.normal_angle);
     }

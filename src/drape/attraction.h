@@ -30,9 +30,11 @@ struct Attraction {
   double weight = 1;           // share of k_a it is pulled with, 0..1
 };
 
-/// Closest points of the scan for all particles. `scan` must outlive the call.
+/// Closest points of the scan for all particles. `any_side`: one per particle, 1 = its normal is
+/// not looked at; or empty.
 std::vector<Attraction> attract(const Cloth& cloth, const ClosestPoint& scan,
-                                const AttractionOptions& options);
+                                const AttractionOptions& options,
+                                const std::vector<std::uint8_t>& any_side = {});
 
 /// E_dist of sec. 3.3: mean over the particles of |d(p, M)|, m. A particle for which nothing was
 /// found counts with `far`; one that is not pulled counts with its distance.

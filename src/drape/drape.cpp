@@ -24,10 +24,10 @@ struct Surroundings {
   std::vector<Contact> contacts;  // empty without collisions
 };
 
-Surroundings look_around(const Cloth& cloth, const ClosestPoint& scan,
-                         const DrapeOptions& options) {
+Surroundings look_around(const Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
+                         const std::vector<std::uint8_t>& any_side) {
   Surroundings around;
-  around.targets = attract(cloth, scan, options.attraction);
+  around.targets = attract(cloth, scan, options.attraction, any_side);
   if (options.collisions) around.contacts = find_contacts(cloth, scan);
   return around;
 }
@@ -139,7 +139,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
   std::vector<Vec3> forces(cloth.size());
   ForceJacobian jacobian = make_jacobian(cloth);
   TimeStep time_step(cloth);
-  Surroundings around = look_around(cloth, scan, options);
+  Surroundings around = look_around(cloth, scan, options, {});
   Hesitation hesitation(cloth.positions, around.targets);
   hold(held, cloth, around.targets);
   DrapeOutcome outcome;
@@ -151,7 +151,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
     sum_forces(cloth, around, options, forces, jacobian);
     outcome.rejected += move_cloth(forces, jacobian, options, time_step, h, cloth);
     ++outcome.steps;
-    around = look_around(cloth, scan, options);
+    around = look_around(cloth, scan, options, hesitation.any_side());
     if (options.hesitation) hesitation.weigh(cloth.positions, around.targets);
     hold(held, cloth, around.targets);
     judge(cloth, around, outcome);

@@ -15,14 +15,15 @@ struct DrapeOptions {
   // k_e of Bridson et al. 2003, N m. Larger makes smoother folds.
   double bending_stiffness = 1e-4;
   // k_d of Bridson et al. 2003, N s. Larger takes folding motion out faster.
-  double bending_damping = 1e-5;
+  double bending_damping = 1e-4;
   // k_a of sec. 3.2, N/m. Larger follows the scan more closely and shows less of a wrong size.
   double attraction_stiffness = 10.0;
   // Share of k_a that a step expects along a smooth surface, 0..1. Larger slides more slowly; where
   // the cloth comes to rest does not depend on it.
   double attraction_grip = 0.01;
   AttractionOptions attraction;
-  // Particles whose closest point keeps jumping are pulled less and less; false: as printed.
+  // Particles whose closest point keeps jumping stop looking at normals, then are pulled less and
+  // less (drape/hesitation.h); false: as printed.
   bool hesitation = true;
   // Downwards, m/s^2; 0 as in the paper, whose cloth is held by the attraction alone.
   double gravity = 0.0;
@@ -44,7 +45,7 @@ struct DrapeOptions {
   // At rest when the root mean square of the particles' speeds is below this, m/s, and the mean
   // distance (m) and the mean stretch change by less than these per step, three steps in a row of
   // at least `first_step`. Smaller lets the cloth slide on longer along the scan.
-  double rest_speed = 0.0015, rest_distance_change = 1e-5, rest_stretch_change = 1e-4;
+  double rest_speed = 0.002, rest_distance_change = 1e-5, rest_stretch_change = 1e-4;
 
   void check() const;  // throws InvalidInput naming the field and its value
 };
@@ -70,7 +71,7 @@ struct DrapeOutcome {
 /// `held`: edges that are drawn to a curve; none as in the paper.
 ///
 /// One departure from the paper: a particle whose closest point keeps jumping between parts of the
-/// scan is pulled less and less (drape/hesitation.h), or it would never rest.
+/// scan stops looking at normals and is then pulled less and less, or it would never rest.
 ///
 /// Throws InvalidInput for cloth that is empty, not finite or whose parts do not match, and when
 /// `scan` is empty; Stopped from progress, the cloth then lies where the last step brought it.

@@ -28,7 +28,8 @@ bool turned_back(const Vec3& before, const Vec3& now) {
 Hesitation::Hesitation(std::vector<Vec3> positions, std::vector<Attraction> targets)
     : positions_(std::move(positions)),
       moves_(positions_.size(), Vec3::Zero()),
-      targets_(std::move(targets)) {}
+      targets_(std::move(targets)),
+      doubted_(positions_.size(), 0) {}
 
 void Hesitation::weigh(const std::vector<Vec3>& positions, std::vector<Attraction>& targets) {
   ++steps_;
@@ -36,7 +37,8 @@ void Hesitation::weigh(const std::vector<Vec3>& positions, std::vector<Attractio
     const Vec3 move = positions[i] - positions_[i];
     const bool hesitates = jumped(targets_[i], targets[i], move.norm()) ||
                            (steps_ > kFirstSteps && turned_back(moves_[i], move));
-    targets[i].weight = targets_[i].weight * (hesitates ? kDoubt : 1);
+    targets[i].weight = targets_[i].weight * (hesitates && doubted_[i] != 0 ? kDoubt : 1);
+    if (hesitates) doubted_[i] = 1;
     moves_[i] = move;
   }
   positions_ = positions;

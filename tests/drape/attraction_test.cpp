@@ -57,6 +57,16 @@ TEST(Attract, SendsAllToTheNearerSideWithoutNormals) {
     EXPECT_NEAR(a.target.y(), 0.01, 1e-12);
 }
 
+TEST(Attract, LooksAtNoNormalWhereTold) {
+  const Mesh limb = thin_limb();
+  std::vector<std::uint8_t> any_side(9, 0);
+  any_side[4] = 1;
+  const std::vector<Attraction> found =
+      attract(patch_at(0.03, false), closest_on(limb), {}, any_side);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i].target.y(), i == 4 ? 0.01 : -0.01, 1e-12);
+}
+
 TEST(Attract, FindsNothingThatFacesTheOtherWay) {
   const Mesh mesh = sheet();
   const std::vector<Attraction> found = attract(patch_at(0.03, false), closest_on(mesh), {});
