@@ -9,8 +9,6 @@
 namespace regarment {
 namespace {
 
-constexpr double kCloudSpacing =
-    1.75;  // mean spacing over median distance to the nearest neighbour
 constexpr std::size_t kMostGarments = 8;
 
 }  // namespace
@@ -40,7 +38,6 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   analysis.method = method_name(options.method);
   Stopwatch watch;
   progress.report("place", 0.0);
-  // A random cloud's nearest neighbours are half as far away as points in a regular grid would be.
   const double spacing =
       scan.mesh.is_cloud() ? kCloudSpacing * scan.facts.spacing : options.sample_spacing;
   Stage stage{options, sample_surface(scan.mesh, spacing, scan.outlier)};

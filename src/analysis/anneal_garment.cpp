@@ -82,6 +82,8 @@ std::vector<Measurement> measurements_of(const GarmentTemplate& garment, const G
         m.high = std::max(m.high, evaluation.dimensions[k]);
       }
     m.low = std::max(m.low, d.lower), m.high = std::min(m.high, d.upper);
+    m.observable = seen.at(d.name).observable;
+    if (!m.observable) m.low = d.lower, m.high = d.upper;
     out.push_back(m);
   }
   return out;
@@ -99,12 +101,15 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   const GarmentEdges edges = edges_on(stage, out.pattern, garment, layer);
   const GarmentRegion region(edges, stage.body);
   const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
+  const std::vector<ObservedLength> observed =
+      observe(stage.samples, stage.body, edges, cloth, garment);
+  check_lengths(garment, observed);
   const std::vector<std::uint8_t> caps =
       stage.options.cap_detection ? find_caps(scan, edges) : std::vector<std::uint8_t>{};
   out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));
   out.edges = edge_curves(edges);
 
-  const FitTarget target(scan.mesh, masked_parts(scan, caps), scan.facts.spacing,
+  const FitTarget target(scan.mesh, masked_parts(scan, caps), kCloudSpacing * scan.facts.spacing,
                          stage.options.fit.silhouette_size);
   const GarmentFit fit =
       fit_garment(garment, start, out.pattern, out.placed, target,
@@ -115,7 +120,7 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   out.draped = fit.draped;
   out.trace = fit.trace;
   out.terms = fit.terms;
-  out.measurements = measurements_of(garment, fit);
+  out.measurements = measurements_of(garment, fit, solve_dimensions(garment, observed));
   judge_drape(stage, cloth, out);
   segment_by_distance(scan, out.pattern, out.draped, stage.options.segment_distance, layer,
                       stage.labels);

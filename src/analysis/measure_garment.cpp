@@ -46,7 +46,8 @@ Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
   return m;
 }
 
-/// A body's own shape may show two edges close together; no garment is that short.
+}  // namespace
+
 void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
   for (const ObservedLength& o : observed) {
     if (!o.seen || o.observation->kind != Observation::Kind::Path) continue;
@@ -57,8 +58,6 @@ void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLen
                              centimetres(o.value) + " apart; ask for the garment that is worn");
   }
 }
-
-}  // namespace
 
 GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
                                 Stage& stage) {

@@ -7,10 +7,15 @@
 #include "analysis/analyze.h"
 #include "garment/garment_template.h"
 #include "measure/garment_region.h"
+#include "measure/observe.h"
 #include "placement/place_garment.h"
 #include "segmentation/segment.h"
 
 namespace regarment {
+
+/// Mean distance between the points of a cloud over the median distance to the nearest neighbour:
+/// a random cloud's neighbours are half as far away as points in a regular grid would be.
+inline constexpr double kCloudSpacing = 1.75;
 
 /// What the garments of a scan share while they are found one after another.
 struct Stage {
@@ -30,6 +35,10 @@ GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentT
 
 /// Per sample: 1 where it lies between the garment's edges and no other garment has it.
 std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region);
+
+/// A body's own shape may show two edges close together. Throws NoGarmentError when the edges of a
+/// garment lie nearer to each other than any garment of its kind is long.
+void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed);
 
 /// Heights for the placement; an edge hidden by another garment lies as far from the opposite edge
 /// as the garment is long.
