@@ -40,6 +40,78 @@ TEST(CommandLine, LeavesTheRestAtItsDefault) {
   EXPECT_FALSE(fit.placement || fit.ground_truth || fit.ground_truth_labels);
 }
 
+TEST(CommandLine, ReadsWhatAnnealingCanBeTold) {
+  const auto fit = std::get<FitArguments>(parse({"fit",
+                                                 "a",
+                                                 "--garment",
+                                                 "g",
+                                                 "--out",
+                                                 "o",
+                                                 "--method",
+                                                 "annealing",
+                                                 "--runs",
+                                                 "2",
+                                                 "--evaluations",
+                                                 "40",
+                                                 "--segment-distance",
+                                                 "7.5",
+                                                 "--attraction",
+                                                 "closest",
+                                                 "--normal-angle",
+                                                 "45",
+                                                 "--drape-from",
+                                                 "last",
+                                                 "--collisions",
+                                                 "--no-cap-detection",
+                                                 "--no-border-rejection",
+                                                 "--free-edges",
+                                                 "--no-rough-search",
+                                                 "--no-hesitation",
+                                                 "--no-square-root"}));
+  EXPECT_EQ(fit.method, "annealing");
+  const AnnealingArguments& a = fit.annealing;
+  EXPECT_EQ(a.runs, 2);
+  EXPECT_EQ(a.evaluations, 40);
+  EXPECT_EQ(a.segment_distance_mm, 7.5);
+  EXPECT_EQ(a.attraction, "closest");
+  EXPECT_EQ(a.normal_angle_deg, 45);
+  EXPECT_EQ(a.drape_from, "last");
+  EXPECT_TRUE(a.collisions);
+  EXPECT_FALSE(a.cap_detection || a.border_rejection || a.held_edges);
+  EXPECT_FALSE(a.rough_search || a.hesitation || a.square_root);
+  EXPECT_FALSE(a.as_printed);
+}
+
+TEST(CommandLine, EachSwitchOfAnnealingMovesOneThing) {
+  const std::vector<std::pair<const char*, bool AnnealingArguments::*>> switches = {
+      {"--collisions", &AnnealingArguments::collisions},
+      {"--no-cap-detection", &AnnealingArguments::cap_detection},
+      {"--no-border-rejection", &AnnealingArguments::border_rejection},
+      {"--free-edges", &AnnealingArguments::held_edges},
+      {"--no-rough-search", &AnnealingArguments::rough_search},
+      {"--no-hesitation", &AnnealingArguments::hesitation},
+      {"--no-square-root", &AnnealingArguments::square_root},
+      {"--as-printed", &AnnealingArguments::as_printed}};
+  const AnnealingArguments usual;
+  for (const auto& [name, member] : switches) {
+    const auto fit = std::get<FitArguments>(
+        parse({"fit", "a", "--garment", "g", "--out", "o", "--method", "annealing", name}));
+    for (const auto& [other, its_member] : switches)
+      EXPECT_EQ(fit.annealing.*its_member != usual.*its_member, member == its_member)
+          << name << " and " << other;
+  }
+}
+
+TEST(CommandLine, RefusesNumbersThatAnnealingCannotUse) {
+  const std::vector<std::pair<const char*, const char*>> bad = {
+      {"--runs", "0"},          {"--runs", "101"},           {"--evaluations", "19"},
+      {"--normal-angle", "0"},  {"--normal-angle", "181"},   {"--segment-distance", "-1"},
+      {"--drape-from", "here"}, {"--attraction", "sideways"}};
+  for (const auto& [option, value] : bad)
+    EXPECT_THROW(parse({"fit", "a", "--garment", "g", "--out", "o", option, value}), UsageError)
+        << option << " " << value;
+}
+
 TEST(CommandLine, ReadsTheOtherCommands) {
   EXPECT_EQ(std::get<ReportArguments>(parse({"report", "d"})).folder, "d");
   EXPECT_EQ(std::get<RenderArguments>(parse({"render", "a", "b", "--out", "o"})).meshes.size(), 2u);
