@@ -65,8 +65,10 @@ constexpr double kAsGood = 1.05;
 constexpr double kPublishedHalf = 0.0598;
 
 /// The dimensions with their intervals: where evaluations of any run are nearly as good as the
-/// best, and never narrower than what was published of the method.
-std::vector<Measurement> measurements_of(const GarmentTemplate& garment, const GarmentFit& fit) {
+/// best, and never narrower than what was published of the method. What no length seen on the scan
+/// speaks of, such as a waist under a T-shirt, is not observable whatever the search came to.
+std::vector<Measurement> measurements_of(const GarmentTemplate& garment, const GarmentFit& fit,
+                                         const std::map<std::string, SolvedDimension>& seen) {
   std::vector<Measurement> out;
   for (std::size_t k = 0; k < garment.dimensions().size(); ++k) {
     const Dimension& d = garment.dimensions()[k];
