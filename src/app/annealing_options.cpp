@@ -1,7 +1,9 @@
 #include "app/annealing_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 namespace regarment {
@@ -11,6 +13,11 @@ std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
   return text;
+}
+
+/// CLI::Range lets "nan" pass.
+std::string a_number(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'" + text + "' is no number" : "";
 }
 
 /// The switches: name, whether it is thrown, what for.
@@ -54,6 +61,7 @@ void add_annealing_options(CLI::App& fit, AnnealingArguments& a) {
   add(fit.add_option("--segment-distance", a.segment_distance_mm,
                      "Scan this near to the draped garment is labelled garment, mm"))
       ->check(CLI::Range(0.1, 1000.0))
+      ->check(a_number)
       ->capture_default_str();
   add(fit.add_option("--attraction", a.attraction,
                      "What attracts the cloth: surface of similar normals, or the closest"))
@@ -62,6 +70,7 @@ void add_annealing_options(CLI::App& fit, AnnealingArguments& a) {
   add(fit.add_option("--normal-angle", a.normal_angle_deg,
                      "Largest angle between normals that are similar, degrees"))
       ->check(CLI::Range(1.0, 180.0))
+      ->check(a_number)
       ->capture_default_str();
   add(fit.add_option("--drape-from", a.drape_from,
                      "Where a drape starts: at the run's best one so far, or at the last"))
