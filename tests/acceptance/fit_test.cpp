@@ -67,6 +67,29 @@ TEST(Fit, TwoRunsWithoutTimingHaveTheSameBytesWhateverTheThreads) {
   }
 }
 
+// Few drapes: what is written, not how exact it is.
+TEST(Fit, AnnealingWritesItsEvaluations) {
+  const TemporaryFolder home;
+  const fs::path out = home.path() / "out";
+  const ProgramRun run = fit(example("skirt-1.mesh.ply"), out,
+                             {"--method", "annealing", "--runs", "1", "--evaluations", "20",
+                              "--no-rough-search", "--no-timing"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json result = Json::parse(bytes_of(out / "result.json"));
+  EXPECT_EQ(result.at("program").at("method"), "annealing");
+  const Json& runs = result.at("garments").at(0).at("runs");
+  ASSERT_EQ(runs.size(), 1U);
+  const std::size_t evaluations = runs.at(0).at("evaluations");
+  EXPECT_GE(evaluations, 6U);  // a simplex of four dimensions and one move
+  EXPECT_LE(evaluations, 20U);
+  // One row each, below the names of the columns.
+  EXPECT_EQ(lines_of(bytes_of(out / "evaluations-1.csv")).size(), evaluations + 1);
+  // The report of the stored result is the same one.
+  const std::string page = bytes_of(out / "report.html");
+  ASSERT_EQ(run_program({"report", out, "--quiet"}, kFitSeconds).status, 0);
+  EXPECT_EQ(bytes_of(out / "report.html"), page);
+}
+
 TEST(Fit, SpeaksOnlyJsonWhenAsked) {
   const TemporaryFolder home;
   const ProgramRun run =

@@ -7,13 +7,16 @@
 namespace regarment {
 namespace {
 
-// The first stage is told when it is over and the longer ones are still to come.
-void expect_clean_stop(int signal, int status) {
+// A stage is told when it is over and the longer ones are still to come.
+void expect_clean_stop(int signal, int status, const Arguments& more = {},
+                       const std::string& after = "read") {
   const TemporaryFolder home;
-  RunningProgram program({"fit", example("layered-1.mesh.ply"), "--garment", "tshirt", "--garment",
-                          "skirt", "--out", home.path() / "deep/out"},
-                         kFitSeconds);
-  ASSERT_TRUE(program.wait_for_line("read"));
+  Arguments all = {
+      "fit",   example("layered-1.mesh.ply"), "--garment", "tshirt", "--garment", "skirt",
+      "--out", home.path() / "deep/out"};
+  all.insert(all.end(), more.begin(), more.end());
+  RunningProgram program(all, kFitSeconds);
+  ASSERT_TRUE(program.wait_for_line(after));
   program.send(signal);
   const ProgramRun run = program.finish();
   EXPECT_EQ(run.status, status) << run.err;
@@ -25,6 +28,13 @@ void expect_clean_stop(int signal, int status) {
 TEST(Signals, AnInterruptLeavesNothing) { expect_clean_stop(SIGINT, 130); }
 
 TEST(Signals, ATerminationLeavesNothing) { expect_clean_stop(SIGTERM, 143); }
+
+// The placement is told as over once the search has begun; so many drapes would take hours.
+TEST(Signals, ATerminationEndsASearchInItsThreads) {
+  expect_clean_stop(SIGTERM, 143,
+                    {"--method", "annealing", "--evaluations", "100000", "--threads", "2"},
+                    "place");
+}
 
 }  // namespace
 }  // namespace regarment
