@@ -34,8 +34,8 @@ class FitMadeSkirt : public testing::Test {
   }
   static FitOptions few_drapes() {
     FitOptions options;
-    options.search.max_evaluations = 100;
-    options.rough_evaluations = 40;
+    options.search.max_evaluations = 80;
+    options.rough_evaluations = 20;
     options.runs = 2;
     options.silhouette_size = kSize;
     return options;
@@ -115,7 +115,7 @@ TEST_F(FitMadeSkirt, TheTraceTellsTheSameAsTheResult) {
 TEST_F(FitMadeSkirt, AHeldHemThatIsWrongMovesTheLength) {
   FitOptions options = few_drapes();
   options.runs = 1;
-  options.search.max_evaluations = 50;
+  options.search.max_evaluations = 40;
   // The hem is said to lie 5 cm lower, where there is no scan.
   const GarmentFit found = fit(options, held(0.05));
   EXPECT_GT(found.dimensions.at("length"), made_.length + 0.03);
