@@ -24,6 +24,32 @@ TEST(ClosestOnCurve, FindsSidesCornersAndTheClosingSide) {
   EXPECT_EQ(closest_on_curve({Vec3(1, 2, 3)}, Vec3::Zero()), Vec3(1, 2, 3));
 }
 
+TEST(ClosestOnCurve, AgreesWithSamplesOfACurve) {
+  Dice dice(31);
+  const auto anywhere = [&](double size) {
+    return Vec3(dice.uniform(-size, size), dice.uniform(-size, size), dice.uniform(-size, size));
+  };
+  std::vector<Vec3> curve, samples;
+  for (int i = 0; i < 12; ++i) curve.push_back(anywhere(0.5));
+  constexpr int kPieces = 400;
+  double longest = 0;  // of a piece
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const Vec3 along = curve[(i + 1) % curve.size()] - curve[i];
+    longest = std::max(longest, along.norm() / kPieces);
+    for (int k = 0; k < kPieces; ++k) samples.push_back(curve[i] + k * along / kPieces);
+  }
+  for (int query = 0; query < 200; ++query) {
+    const Vec3 p = anywhere(1), found = closest_on_curve(curve, p);
+    double nearest = 1e9, beside = 1e9;
+    for (const Vec3& sample : samples) {
+      nearest = std::min(nearest, (sample - p).norm());
+      beside = std::min(beside, (sample - found).norm());
+    }
+    EXPECT_LE((found - p).norm(), nearest + 1e-12);
+    EXPECT_LE(beside, longest / 2 + 1e-12);  // it lies on the curve
+  }
+}
+
 TEST(Hold, DrawsAnEdgeToItsCurve) {
   const Cloth cloth = flat_patch(2, 0.04);
   std::vector<Attraction> targets(cloth.size());
