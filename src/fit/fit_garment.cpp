@@ -122,7 +122,7 @@ GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
   for (const Dimension& d : garment.dimensions()) fit.trace.names.push_back(d.name);
   const Searched rough = rough_search(setting, progress);
   fit.trace.square_root = options.square_root;
-  fit.trace.weights = balance(terms_near_best(rough.run));
+  fit.trace.weights = balance(terms_near_best(rough.run), options.square_root);
   const Dimensions& first = options.rough_search ? rough.dimensions : start;
   std::vector<Searched> found = search_all(setting, first, fit.trace.weights, progress);
   const auto best = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {

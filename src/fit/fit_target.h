@@ -15,7 +15,7 @@ class FitTarget {
  public:
   /// `scan`: body frame, m, mesh or cloud with normals. `masked`: per triangle of a mesh, per point
   /// of a cloud: 1 = neither attracts nor counts; or empty. `spacing`: m, mean distance between
-  /// the points of a cloud, which are drawn as squares of that size; not used for a mesh.
+  /// the points of a cloud, each drawn as a square of twice that width; not used for a mesh.
   /// Silhouettes are masks of `silhouette_size` x `silhouette_size` pixels. Draws in the thread
   /// that calls. Throws InvalidInput when nothing is left unmasked.
   FitTarget(const Mesh& scan, const std::vector<std::uint8_t>& masked, double spacing,

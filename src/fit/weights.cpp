@@ -22,7 +22,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-ErrorWeights balance(std::span<const ErrorTerms> samples) {
+ErrorWeights balance(std::span<const ErrorTerms> samples, bool square_root) {
   if (samples.empty()) throw InvalidInput("balance: no samples of the error terms");
   std::vector<double> distance, stretch, silhouette;
   for (const ErrorTerms& terms : samples) {
@@ -31,7 +31,8 @@ ErrorWeights balance(std::span<const ErrorTerms> samples) {
     silhouette.push_back(terms.silhouette);
   }
   const double size = std::max(median(distance), kLeastDistance);
-  return {1.0, size / std::sqrt(std::max(median(stretch), kLeastStretch)),
+  const double off = std::max(median(stretch), kLeastStretch);
+  return {1.0, size / (square_root ? std::sqrt(off) : off),
           size / std::max(median(silhouette), kLeastSilhouette)};
 }
 

@@ -16,6 +16,7 @@ TEST(Balance, BringsTheMediansToThatOfTheDistance) {
   EXPECT_EQ(weights.alpha, 1);
   EXPECT_DOUBLE_EQ(weights.beta, 0.02 / 0.3);
   EXPECT_DOUBLE_EQ(weights.gamma, 0.02 / 0.5);
+  EXPECT_DOUBLE_EQ(balance(samples, false).beta, 0.02 / 0.09);
 }
 
 TEST(Balance, MakesTheTermsOfAMiddlingSampleEqual) {
