@@ -39,6 +39,7 @@ std::vector<ErrorTerms> terms_near_best(const FitRun& rough) {
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
   all.resize((all.size() + 1) / 2);
   std::vector<ErrorTerms> out;
+  out.reserve(all.size());
   for (const FitEvaluation& one : all) out.push_back(one.terms);
   return out;
 }
@@ -81,7 +82,9 @@ std::vector<Searched> search_all(const Setting& setting, const Dimensions& rough
                            ? setting.options.threads
                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     std::vector<std::jthread> threads;
-    for (int i = 0; i < std::min(wanted, runs); ++i) threads.emplace_back(work);
+    const int used = std::min(wanted, runs);
+    threads.reserve(static_cast<std::size_t>(used));
+    for (int i = 0; i < used; ++i) threads.emplace_back(work);
     monitor.watch(progress);
   }
   for (const std::exception_ptr& failure : failures)
