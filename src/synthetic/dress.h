@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "synthetic/dressed_person.h"
+
+namespace regarment {
+
+/// A garment somebody is to wear.
+struct GarmentWish {
+  std::string template_name;
+  Dimensions dimensions;  // m
+  Fabric fabric;
+  double band = 0.0;  // m, see WornGarment::band
+  // m above the floor where the top edge of a skirt is put on; 0: the height of its girth nearest
+  // to its `waist` between the widest hip and the ribs. A T-shirt hangs from the shoulders.
+  double top_height = 0.0;
+};
+
+struct DressOptions {
+  // m, edge of the cloth's triangles at rest, 0.006 .. 0.04. Smaller shows finer folds; time grows
+  // with its inverse cube.
+  double edge_length = 0.012;
+  double longest = 6.0;  // s of simulated time, after which cloth has to rest
+  double slip = 0.08;    // m a top edge may move from where it was put on before it counts as lost
+
+  void check() const;  // throws InvalidInput naming the field and its value
+};
+
+/// How one garment came to lie.
+struct DressReport {
+  bool came_to_rest = false;
+  double fastest = 0.0;    // m/s, 99th percentile of the speeds at the end
+  double deepest = 0.0;    // m, furthest that a sample of the cloth lies inside the body or a
+                           // garment below; 0: none does
+  double simulated = 0.0;  // s
+  int crossings = 0;       // pairs of its own triangles that intersect
+};
+
+/// A person dressed, and how well it went; the caller decides what to keep.
+struct Dressing {
+  DressedPerson person;
+  std::vector<DressReport> reports;  // one per garment, outermost first
+};
+
+/// Sews the garments, puts them on a body innermost first and lets them come to rest under gravity
+/// with contact and friction against the body, the garments below and themselves. `body` is closed,
+/// with outward triangles, standing with its floor at y = 0 (see DressedPerson). Cloth is a
+/// continuum of triangles with separate stiffness along, across and in shear, moved by position
+/// based dynamics with compliance [Macklin et al. 2016, 2019], which shares nothing with the cloth
+/// of `drape`. Same bytes for same input. Throws InvalidInput for dimensions that make no garment
+/// or a body that is none, Stopped when progress says so.
+Dressing dress_person(const Mesh& body, const std::vector<GarmentWish>& garments,
+                      const DressOptions& options = {}, const Progress& progress = {});
+
+}  // namespace regarment
