@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/heat_map.h"
@@ -32,6 +34,29 @@ std::string kind(const ResultScan& scan) {
   if (scan.triangles == 0) return "point cloud, " + count_text(scan.vertices) + " points";
   return "mesh, " + count_text(scan.vertices) + " vertices, " + count_text(scan.triangles) +
          " triangles";
+}
+
+Gaps finding_row(const Finding& finding) {
+  static const std::array<std::array<const char*, 2>, 3> kSigns = {
+      {{"i", "Note"}, {"!", "Advice"}, {"\u2717", "Problem"}}};
+  const auto& [icon, word] = kSigns[static_cast<std::size_t>(finding.severity)];
+  Gaps row;
+  row.set("severity", std::string(severity_name(finding.severity)));
+  row.set("icon", std::string(icon));
+  row.set("word", std::string(word));
+  row.set("found", finding.found);
+  row.set_maybe("done", finding.done);
+  row.set_maybe("advice", finding.advice);
+  return row;
+}
+
+/// Worst first, else in the order found.
+std::vector<Gaps> finding_rows(std::vector<Finding> findings) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+  std::vector<Gaps> rows;
+  for (const Finding& finding : findings) rows.push_back(finding_row(finding));
+  return rows;
 }
 
 std::string share(std::size_t count, std::size_t of) {
@@ -80,6 +105,8 @@ void show_scan(const Result& result, Gaps& page) {
     facts.push_back(fact("Level of " + title, fixed_text(height, 1) + " cm", "above the floor"));
   }
   page.set("scan_facts", std::move(facts));
+  page.set("has_findings", !scan.findings.empty());
+  page.set("findings", finding_rows(scan.findings));
 }
 
 void show_labels(const Result& result, Gaps& page) {

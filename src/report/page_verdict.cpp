@@ -80,11 +80,20 @@ std::string against_truth(const Tally& all) {
   return text;
 }
 
+/// Findings about the scan that a person should look at.
+std::size_t serious_findings(const Result& result) {
+  const auto& findings = result.scan.findings;
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [](const Finding& f) { return f.severity != Severity::Note; }));
+}
+
 }  // namespace
 
 void show_verdict(const Result& result, Gaps& page) {
   Tally all = tally(result);
-  const bool clear = all.observable == all.dimensions && result.warnings.empty();
+  const bool clear =
+      all.observable == all.dimensions && result.warnings.empty() && serious_findings(result) == 0;
   page.set("title", names(result));
   page.set("file", result.scan.file);
   page.set("method", result.method);
@@ -94,6 +103,11 @@ void show_verdict(const Result& result, Gaps& page) {
   page.set("found", of(all.observable, all.dimensions) + " dimensions measured");
   page.set("sureness", sureness(result, all));
   page.set_maybe("against_truth", against_truth(all));
+  const std::size_t serious = serious_findings(result);
+  page.set_maybe("scan_remarks", serious == 0 ? ""
+                                              : counted(serious, "finding about the scan needs",
+                                                        "findings about the scan need") +
+                                                    " a look");
   std::vector<Gaps> warnings;
   for (const std::string& warning : result.warnings) {
     Gaps& gaps = warnings.emplace_back();

@@ -144,6 +144,10 @@ ResultScan read_scan(const Json& j) {
   j.at("caps").get_to(s.caps);
   j.at("outliers").get_to(s.outliers);
   j.at("holes").get_to(s.holes);
+  for (const Json& f : j.at("findings")) {
+    s.findings.push_back({f.at("code"), severity_named(f.at("severity").get<std::string>()),
+                          f.at("found"), f.at("done"), f.at("advice")});
+  }
   if (j.contains("path")) s.path = j.at("path").get<std::string>();
   return s;
 }

@@ -111,6 +111,10 @@ ResultScan result_scan(const Analysis& analysis, const ReportOptions& options) {
   out.caps = static_cast<std::size_t>(std::count(analysis.cap.begin(), analysis.cap.end(), 1));
   out.outliers = facts.outliers;
   out.holes = facts.holes;
+  for (const Finding& f : facts.findings) {
+    out.findings.push_back({f.code, f.severity, one_line(f.found, 600), one_line(f.done, 600),
+                            one_line(f.advice, 600)});
+  }
   if (options.timing) out.path = one_line(options.scan_path, 4096);
   return out;
 }
@@ -208,7 +212,6 @@ Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>&
   for (const auto& [name, height] : analysis.landmarks) {
     out.landmarks_cm.emplace_back(name, cm(height));
   }
-  add_warnings(analysis.scan.facts.warnings, out);
   add_warnings(analysis.warnings, out);
   if (options.timing) {
     out.threads = options.threads;

@@ -9,6 +9,7 @@
 #include "report/deviation.h"
 #include "report/label_score.h"
 #include "report/result_search.h"
+#include "scan/finding.h"
 
 namespace regarment {
 
@@ -61,6 +62,7 @@ struct ResultScan {
   bool units_guessed = true, up_guessed = true, front_guessed = true;
   double front_confidence = 1, noise_mm = 0, spacing_mm = 0, height_cm = 0;
   std::size_t vertices = 0, triangles = 0, caps = 0, outliers = 0, holes = 0;
+  std::vector<Finding> findings;  // about the scan itself; `Result::warnings` are about garments
   std::optional<std::string> path;
 };
 

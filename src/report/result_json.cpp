@@ -27,7 +27,17 @@ Json program_json(const Result& r) {
   return out;
 }
 
+Json finding_json(const Finding& f) {
+  return {{"code", f.code},
+          {"severity", severity_name(f.severity)},
+          {"found", f.found},
+          {"done", f.done},
+          {"advice", f.advice}};
+}
+
 Json scan_json(const ResultScan& s) {
+  Json findings = Json::array();
+  for (const Finding& f : s.findings) findings.push_back(finding_json(f));
   Json out = {{"file", s.file},
               {"sha256", s.sha256},
               {"vertices", s.vertices},
@@ -44,7 +54,8 @@ Json scan_json(const ResultScan& s) {
               {"noise_mm", s.noise_mm},
               {"caps", s.caps},
               {"outliers", s.outliers},
-              {"holes", s.holes}};
+              {"holes", s.holes},
+              {"findings", findings}};
   if (s.path) out["path"] = *s.path;
   return out;
 }

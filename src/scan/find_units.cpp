@@ -55,9 +55,9 @@ FileUnit find_unit(double height, const PersonLikeness& likeness) {
   const bool child = head_seen && likeness.neck_t < kChildsNeck * likeness.head_top_t;
   const Unit& chosen = fitting[child ? 0 : 1];
   return {std::string(chosen.name), chosen.metres,
-          "the body is " + text(height) + " file units tall: taken as " +
+          "The body is " + text(height) + " file units tall: taken as " +
               (child ? "a child in cm" : "an adult in inch") +
-              (head_seen ? " by its proportions" : "") + "; if not, give --units"};
+              (head_seen ? " by its proportions" : "")};
 }
 
 FileUnit given_unit(const std::string& unit, double height) {

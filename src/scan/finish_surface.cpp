@@ -160,11 +160,13 @@ Finished finish_cloud(const RawSurface& raw, Scan& scan) {
   follow_chosen(raw, tree, surface, finished);
   switch (prefer_given(given_normals(raw, scan.mesh), finished.normals)) {
     case GivenNormals::Flipped:
-      scan.facts.warnings.emplace_back("the file's normals point inward: they were turned");
+      scan.facts.findings.push_back({"inward_normals", Severity::Note,
+                                     "The file's normals point inward", "They were turned", ""});
       break;
     case GivenNormals::Replaced:
-      scan.facts.warnings.emplace_back(
-          "the file's normals do not fit its points: they were estimated again");
+      scan.facts.findings.push_back({"replaced_normals", Severity::Note,
+                                     "The file's normals do not fit its points",
+                                     "They were estimated again", ""});
       break;
     default:
       break;
@@ -185,10 +187,13 @@ Finished finish_mesh(const RawSurface& raw, Scan& scan) {
     std::swap(scan.mesh.triangles[source[t]][1], scan.mesh.triangles[source[t]][2]);
   }
   if (2 * winding.turned > triangles.size()) {
-    scan.facts.warnings.emplace_back("the file's triangles face inward: they were turned");
+    scan.facts.findings.push_back({"inward_normals", Severity::Note,
+                                   "The file's triangles face inward", "They were turned", ""});
   } else if (winding.turned > 0) {
-    scan.facts.warnings.push_back(std::to_string(winding.turned) +
-                                  " triangles face the other way than the rest: they were turned");
+    scan.facts.findings.push_back({"mixed_normals", Severity::Note,
+                                   counted(winding.turned, "triangle faces", "triangles face") +
+                                       " the other way than the rest",
+                                   "They were turned to face outward", ""});
   }
   const Chosen chosen = choose(raw.welded.positions, raw.stray);
   measure_sampling(chosen, PointTree(chosen.points), scan.facts);

@@ -86,22 +86,27 @@ UpAxis up_of(const BodySample& sample, const ScanOptions& options) {
                       " up): " + (up ? "give another --up" : "check the file, or give --up"));
 }
 
-void warn_about_up(const UpAxis& up, bool guessed, std::vector<std::string>& warnings) {
+void note_up(const UpAxis& up, bool guessed, std::vector<Finding>& findings) {
   if (up.name == "free") {
     const double tilt = std::acos(std::min(up.direction.cwiseAbs().maxCoeff(), 1.0)) * kDegrees;
-    warnings.push_back("the scan is tilted: up is " + text(tilt, 2) + " degrees off " +
-                       nearest_axis(up.direction) + "; give --up if it is not");
+    findings.push_back({"tilted", Severity::Note,
+                        "The scan is tilted: up is " + text(tilt, 2) + " degrees off " +
+                            nearest_axis(up.direction),
+                        "The person was set upright", "Give --up if the person leans"});
   }
   if (guessed && up.lead < kUnsureLead) {
-    warnings.push_back("it is unsure that " + up.name + " is up: look at the pictures, give --up");
+    findings.push_back({"unsure_up", Severity::Problem, "It is unsure that " + up.name + " is up",
+                        "", "Look at the pictures; give --up"});
   }
   if (up.likeness.head < 0.3) {
-    warnings.emplace_back("no head is seen: the height found is that of the part that is there");
+    findings.push_back({"missing_head", Severity::Advice, "No head is seen",
+                        "The height found is that of the part that is there",
+                        "Scan the whole person"});
   }
 }
 
 Front front_of(const BodySample& sample, const UpAxis& up, const ScanOptions& options,
-               std::vector<std::string>& warnings) {
+               std::vector<Finding>& findings) {
   if (const auto given = given_axis(options.front)) {
     return {(*given - given->dot(up.direction) * up.direction).normalized(), 1.0, 0.0};
   }
@@ -109,11 +114,13 @@ Front front_of(const BodySample& sample, const UpAxis& up, const ScanOptions& op
   Front front = find_front(view.from_file(sample.points), up.likeness);
   front.direction = view.direction_in_file(front.direction);
   if (front.confidence < kUnsureFront) {
-    warnings.push_back("it is unsure where the person faces (confidence " +
-                       text(front.confidence, 2) + "): look at the pictures, give --front");
+    findings.push_back(
+        {"unsure_front", Severity::Problem,
+         "It is unsure where the person faces (confidence " + text(front.confidence, 2) + ")", "",
+         "Look at the pictures; give --front"});
   } else if (front.mismatch > kUnlikeSides) {
-    warnings.emplace_back(
-        "left and right side are held very unlike: where the person faces is approximate");
+    findings.push_back({"uneven_sides", Severity::Note, "Left and right side are held very unlike",
+                        "Where the person faces is approximate", ""});
   }
   return front;
 }
@@ -145,11 +152,14 @@ BodyFrame find_frame(const BodySample& sample, const ScanOptions& options, ScanF
   facts.up_guessed = options.up == "auto";
   facts.front_guessed = options.front == "auto";
   const UpAxis up = up_of(sample, options);
-  warn_about_up(up, facts.up_guessed, facts.warnings);
+  note_up(up, facts.up_guessed, facts.findings);
   const FileUnit unit = facts.units_guessed ? find_unit(up.slices.height, up.likeness)
                                             : given_unit(options.units, up.slices.height);
-  if (!unit.doubt.empty()) facts.warnings.push_back(unit.doubt);
-  const Front front = front_of(sample, up, options, facts.warnings);
+  if (!unit.doubt.empty()) {
+    facts.findings.push_back(
+        {"unsure_units", Severity::Advice, unit.doubt, "", "If it is not, give --units"});
+  }
+  const Front front = front_of(sample, up, options, facts.findings);
   facts.units = unit.name;
   facts.up = up.name;
   facts.front = name_of_front(front.direction, up);
@@ -191,8 +201,11 @@ void move_vertices(const Welded& welded, const BodyFrame& frame, Mesh& mesh, Sca
   }
   for (Vec3& n : mesh.normals) n = (frame.turn * n).eval();
   if (nowhere == 0) return;
-  facts.warnings.push_back(std::to_string(nowhere) +
-                           " vertices have coordinates that are no numbers: they are left out");
+  facts.findings.push_back(
+      {"not_a_number", Severity::Advice,
+       counted(nowhere, "vertex has a coordinate", "vertices have coordinates") +
+           " that are no numbers",
+       "Left out of everything; the person's label", "Export the scan again"});
 }
 
 }  // namespace

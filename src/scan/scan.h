@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "scan/finding.h"
 
 namespace regarment {
 
@@ -16,13 +17,13 @@ struct ScanFacts {
   std::string up;      // file axis that points up: "+x" ... "-z", or "free" when no axis does
   std::string front;   // file axis nearest to where the person faces, same form
   bool units_guessed = true, up_guessed = true, front_guessed = true;
-  double front_confidence = 1.0;      // 0.5 (could be either way round) .. 1
-  double noise = 0.0;                 // m, standard deviation of points about the local surface
-  double spacing = 0.0;               // m, median distance from a vertex to its nearest neighbour
-  double height = 0.0;                // m, floor to top of head
-  std::size_t outliers = 0;           // vertices far from any surface
-  std::size_t holes = 0;              // boundary loops of an open mesh, 0 for a cloud
-  std::vector<std::string> warnings;  // for a person, one line each
+  double front_confidence = 1.0;  // 0.5 (could be either way round) .. 1
+  double noise = 0.0;             // m, standard deviation of points about the local surface
+  double spacing = 0.0;           // m, median distance from a vertex to its nearest neighbour
+  double height = 0.0;            // m, floor to top of head
+  std::size_t outliers = 0;       // vertices far from any surface
+  std::size_t holes = 0;          // boundary loops of an open mesh, 0 for a cloud
+  std::vector<Finding> findings;  // what was noticed, in the order it was looked for
 };
 
 /// A scan of a person in the body frame: metres, +y up, +z where the person faces, +x to the

@@ -36,6 +36,7 @@ TEST(Page, EscapesEverythingFromOutside) {
   const std::string evil = "<script>alert(1)</script>\"'&{{title}}";
   result.scan.file = evil;
   result.warnings = {evil};
+  result.scan.findings = {{"floor", Severity::Advice, evil, evil, evil}};
   result.command = evil;
   result.options = {{evil, evil}};
   result.landmarks_cm = {{evil, 1.0}};
@@ -46,7 +47,7 @@ TEST(Page, EscapesEverythingFromOutside) {
   result.garments[0].edges[0].evidence = evil;
   const std::string page = page_of(result);
   EXPECT_EQ(count(page, "<script"), 0u);
-  EXPECT_GE(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;&amp;"), 8u);
+  EXPECT_GE(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;&amp;"), 11u);
 }
 
 TEST(Page, SaysPassFailAndNotMeasurableInWords) {
@@ -54,6 +55,30 @@ TEST(Page, SaysPassFailAndNotMeasurableInWords) {
   EXPECT_EQ(count(page, "✓ pass"), 1u);
   EXPECT_EQ(count(page, "✗ fail"), 1u);
   EXPECT_GE(count(page, "not measurable"), 1u);
+}
+
+TEST(Page, ShowsFindingsWithAWordForTheirSeverityTheWorstFirst) {
+  Result result = example_result();
+  result.scan.findings = {{"floor", Severity::Note, "A floor was seen", "It was left out", ""},
+                          {"legs_touch", Severity::Problem, "The legs touch", "", "Scan again"}};
+  const std::string page = page_of(result);
+  const auto note = page.find("<b>Note.</b> A floor was seen. It was left out.</p>");
+  const auto problem =
+      page.find("<b>Problem.</b> The legs touch. <span class=\"advice\">Scan again");
+  ASSERT_NE(note, std::string::npos);
+  ASSERT_NE(problem, std::string::npos);
+  EXPECT_LT(problem, note);
+  EXPECT_EQ(count(page, "1 finding about the scan needs a look"), 1u);
+}
+
+TEST(Page, IsClearWithNotesOnly) {
+  Result result = example_result();
+  result.warnings.clear();
+  result.garments[0].measurements.pop_back();  // the one that is not observable
+  result.scan.findings = {{"floor", Severity::Note, "A floor was seen", "It was left out", ""}};
+  EXPECT_EQ(count(page_of(result), "with remarks"), 0u);
+  result.scan.findings[0].severity = Severity::Advice;
+  EXPECT_EQ(count(page_of(result), "with remarks"), 1u);
 }
 
 TEST(Page, LeavesTruthColumnsOutWithoutTruth) {

@@ -30,6 +30,8 @@ TEST(ResultJson, ComesBackTheSame) {
   Result result = example_result();
   result.options = {{"units", "mm"}};
   result.threads = 2;
+  result.scan.findings = {{"floor", Severity::Note, "A floor", "Left out", ""},
+                          {"legs_touch", Severity::Problem, "The legs touch", "", "Again"}};
   result.scan.path = "scans/skirt-1.mesh.ply";
   result.label_score = LabelScore{40000, 0.98, 0.95, {0.97, std::nullopt}};
   result.figures = {{"scan", "front", "pictures/scan-front.jpg", 360, 640}};

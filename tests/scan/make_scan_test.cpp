@@ -183,7 +183,8 @@ TEST(MakeScan, PutsABabysBodyInCentimetresAndAnAdultsInInches) {
   const Mesh child = moved(made_person({.head = 1.8}), Eigen::Matrix3d::Identity(), 75 / 1.93);
   const Scan scan = make_scan(child);
   EXPECT_EQ(scan.facts.units, "cm");
-  EXPECT_EQ(scan.facts.warnings.size(), 1u);  // says that it could be the other
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "unsure_units");
   EXPECT_NEAR(scan.facts.height, 0.75, 0.01);
 }
 
@@ -195,7 +196,8 @@ TEST(MakeScan, LeavesOutNumbersThatAreNone) {
   EXPECT_EQ(scan.outlier[10] + scan.outlier[20], 2);
   EXPECT_EQ(scan.mesh.positions[10], Vec3(0, 0, 0));
   EXPECT_TRUE(scan.mesh.normals[20].allFinite());
-  EXPECT_EQ(scan.facts.warnings.size(), 1u);
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "not_a_number");
 }
 
 TEST(MakeScan, SeesPastScatteredPoints) {

@@ -57,14 +57,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Pose{"no_head", {.has_head = false}}, Pose{"no_feet", {.has_feet = false}}),
     [](const auto& test) { return test.param.name; });
 
-TEST(PersonWarnings, SayWhatIsMissing) {
+TEST(PersonFindings, SayWhatIsMissing) {
   const Scan scan = make_scan(made_person({.has_head = false}));
-  ASSERT_EQ(scan.facts.warnings.size(), 1u);
-  EXPECT_NE(scan.facts.warnings[0].find("no head"), std::string::npos);
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "missing_head");
 }
 
-TEST(PersonWarnings, AreSilentForAPlainPerson) {
-  EXPECT_TRUE(make_scan(made_person()).facts.warnings.empty());
+TEST(PersonFindings, AreSilentForAPlainPerson) {
+  EXPECT_TRUE(make_scan(made_person()).facts.findings.empty());
 }
 
 TEST(TiltedScan, HasAFreeUpDirection) {
@@ -75,7 +75,8 @@ TEST(TiltedScan, HasAFreeUpDirection) {
   EXPECT_GT(scan.file_from_body.linear().col(1).normalized().dot(tilt.col(1)),
             0.9986);  // 3 degrees
   EXPECT_GT(scan.file_from_body.linear().col(2).normalized().dot(tilt.col(2)), 0.9976);
-  EXPECT_FALSE(scan.facts.warnings.empty());
+  ASSERT_FALSE(scan.facts.findings.empty());
+  EXPECT_EQ(scan.facts.findings[0].code, "tilted");
 }
 
 Mesh random_points(std::size_t count, const Vec3& size) {

@@ -98,7 +98,9 @@ TEST_P(SharedScan, IsUnderstood) {
       known.file.c_str(), facts.units.c_str(), facts.up.c_str(), facts.front.c_str(), off,
       facts.front_confidence, facts.height, facts.noise * 1e3, facts.spacing * 1e3, facts.outliers,
       facts.holes);
-  for (const std::string& warning : facts.warnings) std::printf("  %s\n", warning.c_str());
+  for (const Finding& finding : facts.findings) {
+    std::printf("  %s: %s\n", finding.code.c_str(), finding.found.c_str());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharedScan, testing::ValuesIn(known_scans()), [](const auto& test) {

@@ -69,7 +69,7 @@ TEST(CloudNormals, OfTheFileAreKeptWhenPlausible) {
   }
   // At creases the estimated plane differs, and the estimate stands.
   EXPECT_GT(kept, cloud.normals.size() * 9 / 10);
-  EXPECT_TRUE(scan.facts.warnings.empty());
+  EXPECT_TRUE(scan.facts.findings.empty());
 }
 
 TEST(CloudNormals, OfTheFileAreTurnedWhenInward) {
@@ -78,7 +78,8 @@ TEST(CloudNormals, OfTheFileAreTurnedWhenInward) {
   for (Vec3& n : cloud.normals) n = -n;
   const Scan scan = make_scan(cloud);
   EXPECT_GT(outward_share(scan, truth), 0.99);
-  EXPECT_EQ(scan.facts.warnings.size(), 1u);
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "inward_normals");
 }
 
 TEST(CloudNormals, OfTheFileAreReplacedWhenMeaningless) {
@@ -87,7 +88,8 @@ TEST(CloudNormals, OfTheFileAreReplacedWhenMeaningless) {
   for (Vec3& n : cloud.normals) n = Vec3(0, 1, 0);
   const Scan scan = make_scan(cloud);
   EXPECT_GT(outward_share(scan, truth), 0.99);
-  EXPECT_EQ(scan.facts.warnings.size(), 1u);
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "replaced_normals");
 }
 
 TEST(Noise, IsThatOfTheCloud) {
@@ -123,7 +125,8 @@ TEST(Winding, OfAnInwardMeshIsTurned) {
   for (Triangle& t : inward.triangles) std::swap(t[1], t[2]);
   const Scan scan = make_scan(inward);
   EXPECT_NEAR(volume(scan.mesh), volume(make_scan(outward).mesh), 1e-9);
-  EXPECT_EQ(scan.facts.warnings.size(), 1u);
+  ASSERT_EQ(scan.facts.findings.size(), 1u);
+  EXPECT_EQ(scan.facts.findings[0].code, "inward_normals");
 }
 
 TEST(Winding, OfSingleTrianglesIsMended) {
