@@ -13,8 +13,8 @@ struct GarmentWish {
   Dimensions dimensions;  // m
   Fabric fabric;
   double band = 0.0;  // m, see WornGarment::band
-  // m above the floor where the top edge of a skirt is put on; 0: the height of its girth nearest
-  // to its `waist` between the widest hip and the ribs. A T-shirt hangs from the shoulders.
+  // m above the floor where the top edge of a garment that hangs from the waist is put on; not
+  // looked at where one has sleeves and hangs from the shoulders.
   double top_height = 0.0;
 };
 
@@ -22,7 +22,7 @@ struct DressOptions {
   // m, edge of the cloth's triangles at rest, 0.006 .. 0.04. Smaller shows finer folds; time grows
   // with its inverse cube.
   double edge_length = 0.012;
-  double longest = 6.0;  // s of simulated time, after which cloth has to rest
+  double longest = 5.0;  // s of simulated time, after which cloth has to rest
   double slip = 0.08;    // m a top edge may move from where it was put on before it counts as lost
 
   void check() const;  // throws InvalidInput naming the field and its value
@@ -45,13 +45,19 @@ struct Dressing {
 };
 
 /// Sews the garments, puts them on a body innermost first and lets them come to rest under gravity
-/// with contact and friction against the body, the garments below and themselves. `body` is closed,
-/// with outward triangles, standing with its floor at y = 0 (see DressedPerson). Cloth is a
-/// continuum of triangles with separate stiffness along, across and in shear, moved by position
-/// based dynamics with compliance [Macklin et al. 2016, 2019], which shares nothing with the cloth
-/// of `drape`. Same bytes for same input. Throws InvalidInput for dimensions that make no garment
-/// or a body that is none, Stopped when progress says so.
-Dressing dress_person(const Mesh& body, const std::vector<GarmentWish>& garments,
+/// with contact and friction against the body, the garments below and themselves.
+///
+/// `poses` are one body (same triangles) as it moves while it dresses: the garments are put on in
+/// the first, best with the arms stretched sideways and about 28 degrees down as a T-shirt's
+/// sleeves are cut; the body passes through the others at even times and is worn, and returned, as
+/// the last. A single pose does not move. Each is closed, with outward triangles and the floor at y
+/// = 0 (see DressedPerson).
+///
+/// Cloth is a continuum of triangles with separate stiffness along, across and in shear, moved by
+/// implicit steps of a quasi-Newton method; it shares nothing with the cloth of `drape`. Same bytes
+/// for same input. Throws InvalidInput for dimensions that make no garment, bodies that are none or
+/// differ in their triangles, Stopped when progress says so.
+Dressing dress_person(const std::vector<Mesh>& poses, const std::vector<GarmentWish>& garments,
                       const DressOptions& options = {}, const Progress& progress = {});
 
 }  // namespace regarment
