@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace regarment {
 namespace {
@@ -11,9 +12,9 @@ constexpr double kCellsAlong = 96;          // cells along the longest side
 constexpr double kCoarsestCellsAlong = 30;  // where a sparse cloud is given up on
 constexpr double kMargin = 0.12;            // of the longest side, kept around the robust extent
 constexpr double kStray = 0.001;            // share of points that may lie outside at either end
-constexpr double kConnected = 0.8;          // share of points the largest piece should hold
+constexpr double kConnected = 0.8;          // share of points the large pieces should hold
+constexpr double kLarge = 0.03;             // of all filled cells: a person, or what stands beside
 constexpr double kFilled = 4.0;       // samples a cell should hold on average, or it has holes
-constexpr double kSmallPiece = 0.02;  // of the largest piece's cells; smaller ones are dropped
 constexpr double kOnePlace = 1e-100;  // file units; arithmetic fails on less
 constexpr double kMostSamples = 6e6;  // on triangles, so that absurd ones cannot take for ever
 
@@ -36,6 +37,22 @@ Extent robust_extent(std::span<const Vec3> points) {
   }
   return extent;
 }
+
+/// The connected pieces of a grid.
+struct Pieces {
+  std::vector<int> of_cell;                      // -1 for empty ones
+  std::vector<std::size_t> cells_of, points_of;  // per piece
+
+  double points_in_large() const {
+    const double cells = std::accumulate(cells_of.begin(), cells_of.end(), 0.0);
+    double points = 0;
+    for (std::size_t i = 0; i < cells_of.size(); ++i) {
+      const bool large = static_cast<double>(cells_of[i]) > kLarge * cells;
+      points += large ? static_cast<double>(points_of[i]) : 0.0;
+    }
+    return points;
+  }
+};
 
 class Grid {
  public:
@@ -74,11 +91,10 @@ class Grid {
     return samples / std::max(cells, 1.0);
   }
 
-  /// Number of the connected piece of each cell, -1 for empty ones; neighbours touch by a face,
-  /// edge or corner.
-  std::vector<int> pieces(std::vector<std::size_t>& cells_of, std::vector<std::size_t>& points_of);
+  /// Neighbours touch by a face, edge or corner.
+  Pieces pieces() const;
 
-  BodySample sample(const std::vector<int>& piece, const std::vector<std::size_t>& cells_of) const;
+  BodySample sample(const Pieces& pieces, double longest) const;
 
  private:
   std::ptrdiff_t index(const Vec3& p) const {
@@ -111,48 +127,55 @@ class Grid {
   std::vector<std::uint32_t> points_;  // points of the input per cell
 };
 
-std::vector<int> Grid::pieces(std::vector<std::size_t>& cells_of,
-                              std::vector<std::size_t>& points_of) {
-  std::vector<int> piece(cells(), -1);
+Pieces Grid::pieces() const {
+  Pieces pieces;
+  pieces.of_cell.assign(cells(), -1);
   std::vector<std::ptrdiff_t> open;
-  for (std::size_t start = 0; start < piece.size(); ++start) {
-    if (counts_[start] == 0 || piece[start] >= 0) continue;
-    const int number = static_cast<int>(cells_of.size());
-    cells_of.push_back(0);
-    points_of.push_back(0);
-    piece[start] = number;
+  for (std::size_t start = 0; start < cells(); ++start) {
+    if (counts_[start] == 0 || pieces.of_cell[start] >= 0) continue;
+    const int number = static_cast<int>(pieces.points_of.size());
+    pieces.cells_of.push_back(0);
+    pieces.points_of.push_back(0);
+    pieces.of_cell[start] = number;
     open.assign(1, static_cast<std::ptrdiff_t>(start));
     while (!open.empty()) {
       const std::ptrdiff_t at = open.back();
       open.pop_back();
-      ++cells_of.back();
-      points_of.back() += points_[at];
+      ++pieces.cells_of.back();
+      pieces.points_of.back() += points_[at];
       for_neighbours(at, [&](std::ptrdiff_t next) {
-        if (counts_[next] == 0 || piece[next] >= 0) return;
-        piece[next] = number;
+        if (counts_[next] == 0 || pieces.of_cell[next] >= 0) return;
+        pieces.of_cell[next] = number;
         open.push_back(next);
       });
     }
   }
-  return piece;
+  return pieces;
 }
 
-BodySample Grid::sample(const std::vector<int>& piece,
-                        const std::vector<std::size_t>& cells_of) const {
-  BodySample sample;
-  sample.cell = cell_;
-  sample.centre = centre_;
-  sample.half = half_;
-  sample.near_kept.assign(cells(), 0);
-  const std::size_t largest = *std::max_element(cells_of.begin(), cells_of.end());
+BodySample Grid::sample(const Pieces& pieces, double longest) const {
+  const std::vector<int>& piece = pieces.of_cell;
+  std::vector<SamplePiece> parts(pieces.cells_of.size());
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (piece[i] < 0) continue;
-    if (static_cast<double>(cells_of[piece[i]]) < kSmallPiece * static_cast<double>(largest)) {
-      continue;
-    }
+    parts[piece[i]].points.push_back(centre_ + sums_[i] / counts_[i]);
+    parts[piece[i]].samples += counts_[i];
+  }
+  const std::vector<Belongs> judged = judge_pieces(parts, cell_, longest);
+  BodySample sample;
+  sample.cell = cell_;
+  sample.longest = longest;
+  sample.centre = centre_;
+  sample.half = half_;
+  sample.belongs.assign(cells(), Belongs::Stray);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] >= 0) sample.belongs[i] = judged[piece[i]];
+  }
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] < 0 || judged[piece[i]] != Belongs::Body) continue;
     sample.points.push_back(centre_ + sums_[i] / counts_[i]);
     for_neighbours(static_cast<std::ptrdiff_t>(i),
-                   [&](std::ptrdiff_t next) { sample.near_kept[next] = 1; });
+                   [&](std::ptrdiff_t next) { sample.belongs[next] = Belongs::Body; });
   }
   return sample;
 }
@@ -185,15 +208,15 @@ void add_triangles(std::span<const Vec3> points, std::span<const Triangle> trian
 
 }  // namespace
 
-bool BodySample::covers(const Vec3& p) const {
+Belongs BodySample::at(const Vec3& p) const {
   std::size_t i = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double at = std::nearbyint((p[axis] - centre[axis]) / cell);
-    if (!(std::abs(at) <= half[axis])) return false;
+    if (!(std::abs(at) <= half[axis])) return Belongs::Stray;
     i = i * static_cast<std::size_t>(2 * half[axis] + 1) +
         static_cast<std::size_t>(static_cast<int>(at) + half[axis]);
   }
-  return near_kept[i] != 0;
+  return belongs[i];
 }
 
 BodySample sample_body(std::span<const Vec3> points, std::span<const Triangle> triangles) {
@@ -203,19 +226,18 @@ BodySample sample_body(std::span<const Vec3> points, std::span<const Triangle> t
     BodySample nothing;
     nothing.centre = points[0];
     nothing.cell = 1.0;
-    nothing.near_kept.assign(1, 1);
+    nothing.belongs.assign(1, Belongs::Body);
     return nothing;
   }
   for (double cell = longest / kCellsAlong;; cell *= 1.4) {
     Grid grid(extent, cell);
     for (const Vec3& p : points) grid.add(p, true);
     add_triangles(points, triangles, 0.7 * cell, grid);
-    std::vector<std::size_t> cells_of, points_of;
-    const std::vector<int> piece = grid.pieces(cells_of, points_of);
-    const auto most = static_cast<double>(*std::max_element(points_of.begin(), points_of.end()));
-    const bool connected = most > kConnected * static_cast<double>(points.size());
+    const Pieces pieces = grid.pieces();
+    const bool connected =
+        pieces.points_in_large() > kConnected * static_cast<double>(points.size());
     if ((connected && grid.samples_per_cell() > kFilled) || cell * kCoarsestCellsAlong > longest) {
-      return grid.sample(piece, cells_of);
+      return grid.sample(pieces, longest);
     }
   }
 }

@@ -177,23 +177,29 @@ Finished finish_cloud(const RawSurface& raw, Scan& scan) {
 Finished finish_mesh(const RawSurface& raw, Scan& scan) {
   std::vector<std::uint32_t> source;
   std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, raw.welded, &source);
-  const MeshEdges edges = find_edges(triangles, raw.welded.positions.size());
+  MeshEdges edges = find_edges(triangles, raw.welded.positions.size());
+  const auto stray = [&](std::uint32_t v) { return raw.stray[v] != 0; };
+  std::erase_if(edges.border, [&](const auto& edge) { return stray(edge[0]) || stray(edge[1]); });
   scan.facts.holes = count_holes(edges, raw.welded.positions.size());
-  const Winding winding = outward_winding(raw.welded.positions, triangles, edges, raw.sample,
-                                          kMeshPixel * raw.sample_spacing);
+  const Winding winding = outward_winding(raw.welded.positions, triangles, edges, raw.stray,
+                                          raw.sample, kMeshPixel * raw.sample_spacing);
+  std::size_t turned = 0, body = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const bool of_body = std::none_of(triangles[t].begin(), triangles[t].end(), stray);
+    body += of_body ? 1 : 0;
     if (winding.turn[t] == 0) continue;
+    turned += of_body ? 1 : 0;
     std::swap(triangles[t][1], triangles[t][2]);
     std::swap(scan.mesh.triangles[source[t]][1], scan.mesh.triangles[source[t]][2]);
   }
-  if (2 * winding.turned > triangles.size()) {
+  if (2 * turned > body) {
     scan.facts.findings.push_back({"inward_normals", Severity::Note,
                                    "The file's triangles face inward", "They were turned", ""});
-  } else if (winding.turned > 0) {
-    scan.facts.findings.push_back({"mixed_normals", Severity::Note,
-                                   counted(winding.turned, "triangle faces", "triangles face") +
-                                       " the other way than the rest",
-                                   "They were turned to face outward", ""});
+  } else if (turned > 0) {
+    scan.facts.findings.push_back(
+        {"mixed_normals", Severity::Note,
+         counted(turned, "triangle faces", "triangles face") + " the other way than the rest",
+         "They were turned to face outward", ""});
   }
   const Chosen chosen = choose(raw.welded.positions, raw.stray);
   measure_sampling(chosen, PointTree(chosen.points), scan.facts);

@@ -8,12 +8,13 @@
 
 #include "base/error.h"
 #include "scan/body_frame.h"
-#include "scan/body_sample.h"
 #include "scan/file_axis.h"
 #include "scan/find_front.h"
 #include "scan/find_units.h"
 #include "scan/find_up.h"
 #include "scan/finish_surface.h"
+#include "scan/separate_body.h"
+#include "scan/surroundings.h"
 #include "scan/weld.h"
 
 namespace regarment {
@@ -174,21 +175,25 @@ BodyFrame find_frame(const BodySample& sample, const ScanOptions& options, ScanF
   return frame;
 }
 
-std::vector<std::uint8_t> stray_positions(const BodySample& sample, std::span<const Vec3> points) {
-  std::vector<std::uint8_t> stray(points.size());
-  std::transform(points.begin(), points.end(), stray.begin(),
-                 [&](const Vec3& p) { return sample.covers(p) ? 0 : 1; });
+std::vector<std::uint8_t> stray_positions(const SeparatedBody& separated) {
+  std::vector<std::uint8_t> stray(separated.belongs.size());
+  std::transform(separated.belongs.begin(), separated.belongs.end(), stray.begin(),
+                 [](Belongs belongs) { return belongs == Belongs::Body ? 0 : 1; });
   return stray;
 }
 
-/// Moves points of the file's frame into the body frame, the frame's origin to the floor.
-void put_on_floor(std::span<const Triangle> triangles, std::span<const std::uint8_t> stray,
-                  BodyFrame& frame, std::vector<Vec3>& positions, ScanFacts& facts) {
+/// Moves points of the file's frame into the body frame, the frame's origin to the floor: the
+/// scanned one, or where the feet end.
+void put_on_floor(std::span<const Triangle> triangles, const SeparatedBody& separated,
+                  std::span<const std::uint8_t> stray, BodyFrame& frame,
+                  std::vector<Vec3>& positions, ScanFacts& facts) {
+  const std::optional<double> sheet = sheet_floor(separated, frame);
   for (Vec3& p : positions) p = frame.from_file(p);
   const Reach reach = find_reach(positions, triangles, stray);
-  frame.origin += frame.turn.row(1).transpose() * reach.floor / frame.metres;
-  for (Vec3& p : positions) p.y() -= reach.floor;
-  facts.height = reach.top - reach.floor;
+  const double floor = sheet.value_or(reach.floor);
+  frame.origin += frame.turn.row(1).transpose() * floor / frame.metres;
+  for (Vec3& p : positions) p.y() -= floor;
+  facts.height = reach.top - floor;
 }
 
 /// Gives the vertices their places in the body frame; those without any go to the origin.
@@ -218,16 +223,18 @@ Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   Welded welded = weld(scan.mesh.positions);
   check_enough(welded, scan.mesh.is_cloud());
   const std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, welded);
-  BodySample sample = sample_body(welded.positions, triangles);
+  const SeparatedBody separated = separate_body(welded.positions, triangles);
+  const BodySample& sample = separated.sample;
   check_size(sample.points);
 
   BodyFrame frame = find_frame(sample, options, scan.facts);
-  RawSurface raw{welded, stray_positions(sample, welded.positions), {}, sample.cell * frame.metres};
-  put_on_floor(triangles, raw.stray, frame, welded.positions, scan.facts);
+  RawSurface raw{welded, stray_positions(separated), {}, sample.cell * frame.metres};
+  put_on_floor(triangles, separated, raw.stray, frame, welded.positions, scan.facts);
   for (const Vec3& p : sample.points) raw.sample.push_back(frame.from_file(p));
   move_vertices(welded, frame, scan.mesh, scan.facts);
   scan.file_from_body = frame.to_file();
   finish_surface(raw, scan);
+  note_surroundings(separated, welded, scan);
   return scan;
 }
 

@@ -19,7 +19,8 @@ Vec3 area_vector(std::span<const Vec3> positions, const Triangle& t) {
 }  // namespace
 
 Winding outward_winding(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-                        const MeshEdges& edges, std::span<const Vec3> occluders, double pixel) {
+                        const MeshEdges& edges, std::span<const std::uint8_t> stray,
+                        std::span<const Vec3> occluders, double pixel) {
   const Sheets sheets = find_sheets(triangles.size(), edges);
   std::vector<Vec3> middles(triangles.size()), normals(triangles.size());
   std::vector<double> areas(triangles.size());
@@ -40,7 +41,8 @@ Winding outward_winding(std::span<const Vec3> positions, std::span<const Triangl
     const double vote = static_cast<double>(side[t]) * areas[t];
     votes[sheets.of_triangle[t]] += vote;
     area_of[sheets.of_triangle[t]] += areas[t];
-    all_votes += vote;
+    const auto [a, b, c] = triangles[t];
+    if (stray[a] == 0 && stray[b] == 0 && stray[c] == 0) all_votes += vote;
   }
   Winding winding;
   winding.turn = sheets.turn;
@@ -48,7 +50,6 @@ Winding outward_winding(std::span<const Vec3> positions, std::span<const Triangl
     const std::uint32_t sheet = sheets.of_triangle[t];
     const bool seen = std::abs(votes[sheet]) > kClearlySeen * area_of[sheet];
     if ((seen ? votes[sheet] : all_votes) < 0) winding.turn[t] ^= 1;
-    winding.turned += winding.turn[t];
   }
   return winding;
 }
