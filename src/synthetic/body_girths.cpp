@@ -80,6 +80,16 @@ double chest_girth(const Mesh& body, double height, double half_width) {
   return girth_of(trunk);
 }
 
+// Top of the shoulders where a neckline ends; the head is higher and not looked at.
+double neck_height(const Mesh& body, const BodyFrame& frame, double unit) {
+  double out = frame.chest;
+  for (const Vec3& p : body.positions) {
+    const bool beside = std::abs(std::abs(p.x()) - 0.1) < 0.012;
+    if (beside && p.y() < frame.neck + 0.04 * unit) out = std::max(out, p.y());
+  }
+  return out;
+}
+
 // The left arm alone, turned so that its own line points up and the joint lies at the origin.
 Mesh upright_arm(const Mesh& body, const BodyFrame& frame) {
   const BodyRig& rig = body_rig();
@@ -109,6 +119,7 @@ BodyGirths body_girths(const Mesh& body) {
   for (const Vec3& p : body.positions) out.height = std::max(out.height, p.y());
   const double unit = out.height / 1.67;  // of the body the rig was made from
   out.crotch = frame.crotch;
+  out.neck_height = neck_height(body, frame, unit);
   out.shoulder = 0.5 * (frame.shoulder[0] - frame.shoulder[1]).norm();
   const auto trunk = [&](double y) { return tape_girth(body, y); };
   const auto chest = [&](double y) { return chest_girth(body, y, 1.05 * out.shoulder); };

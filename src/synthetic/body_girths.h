@@ -19,7 +19,9 @@ struct BodyGirths {
   double crotch = 0;
   double hip_height = 0, waist_height = 0, chest_height = 0;
   double hip = 0, waist = 0, chest = 0;
-  double height = 0;    // m, of the person
+  double height = 0;  // m, of the person
+  double neck_height =
+      0;                // m, top of the shoulder 10 cm beside the middle, where it meets the neck
   double shoulder = 0;  // m, half the distance between the joints of the arms
   double arm = 0;       // m, from the shoulder joint to the wrist
   double upper_arm_girth = 0, wrist_girth = 0;
