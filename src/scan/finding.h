@@ -24,7 +24,7 @@ Severity severity_named(std::string_view name);
 struct Finding {
   // Stable, for programs: "floor", "wall", "post", "island", "outliers", "not_a_number",
   // "duplicates", "zero_area", "non_manifold", "mixed_normals", "inward_normals",
-  // "replaced_normals", "far_from_origin", "holes", "sparse", "noisy", "coarsened",
+  // "replaced_normals", "far_from_origin", "sparse", "noisy", "coarsened",
   // "invented_surface", "tilted", "missing_head", "unsure_up", "unsure_front", "unsure_units",
   // "uneven_sides", "arm_touches_torso", "legs_touch".
   std::string code;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "scan/body_frame.h"
 #include "scan/file_axis.h"
+#include "scan/file_flaws.h"
 #include "scan/find_front.h"
 #include "scan/find_units.h"
 #include "scan/find_up.h"
@@ -222,12 +223,14 @@ Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   check_triangles(scan.mesh);
   Welded welded = weld(scan.mesh.positions);
   check_enough(welded, scan.mesh.is_cloud());
+  const std::size_t repeated = drop_repeated(scan.mesh.triangles, welded);
   const std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, welded);
   const SeparatedBody separated = separate_body(welded.positions, triangles);
   const BodySample& sample = separated.sample;
   check_size(sample.points);
 
   BodyFrame frame = find_frame(sample, options, scan.facts);
+  note_file_flaws(scan.mesh, welded, repeated, frame.metres, scan.facts.findings);
   RawSurface raw{welded, stray_positions(separated), {}, sample.cell * frame.metres};
   put_on_floor(triangles, separated, raw.stray, frame, welded.positions, scan.facts);
   for (const Vec3& p : sample.points) raw.sample.push_back(frame.from_file(p));
@@ -235,6 +238,7 @@ Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   scan.file_from_body = frame.to_file();
   finish_surface(raw, scan);
   note_surroundings(separated, welded, scan);
+  note_sampling(scan, scan.facts.findings);
   return scan;
 }
 

@@ -22,8 +22,8 @@ struct ScanOptions {
 /// What is found does not depend on the order of vertices, nor on how the file's frame is turned by
 /// quarter turns, turned about the vertical, shifted, or scaled to another unit. A person may
 /// stand, walk or stretch their arms; feet or head may be missing (then `facts.warnings` says so).
-/// A mirrored file stays mirrored. Where `options.up` or `options.front` is given that axis is
-/// taken exactly.
+/// Triangles that repeat another are dropped. A mirrored file stays mirrored. Where `options.up` or
+/// `options.front` is given that axis is taken exactly.
 ///
 /// `facts.file` and `facts.sha256` stay empty: the caller knows the file. Vertices with a
 /// non-finite coordinate are moved to the origin of the body frame, marked as outliers and said in

@@ -82,6 +82,7 @@ MeshEdges find_edges(std::span<const Triangle> triangles, std::size_t vertices) 
       auto after = at;
       while (after != end && after->high == at->high) ++after;
       if (after - at == 1) edges.border.push_back({low, at->high});
+      if (after - at > 2) ++edges.crowded;
       if (after - at == 2 && at->triangle != at[1].triangle) {
         edges.pairs.push_back({at->triangle, at[1].triangle, at->upward != at[1].upward});
       }

@@ -18,6 +18,7 @@ struct MeshEdges {
   };
   std::vector<Pair> pairs;
   std::vector<std::array<std::uint32_t, 2>> border;  // vertices of edges with one triangle only
+  std::size_t crowded = 0;                           // edges with three triangles or more
 };
 
 /// `vertices` is the number of vertices the triangles may name.

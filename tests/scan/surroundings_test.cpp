@@ -38,7 +38,7 @@ Mesh shifted(Mesh mesh, const Vec3& shift) {
 
 Mesh made_wall(double half) {
   const Eigen::Matrix3d upright = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()).toRotationMatrix();
-  return moved(made_floor(half), upright, 1.0, Vec3(0, half, -0.45));
+  return moved(made_floor(half), upright, 1.0, Vec3(0, half, -0.44));
 }
 
 Mesh made_post(const Vec3& foot) { return shifted(made_box(Vec3(0.06, 2.1, 0.06), 0.02), foot); }
