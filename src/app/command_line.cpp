@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/annealing_options.h"
+#include "app/evaluate_options.h"
 #include "base/error.h"
 #include "base/one_line.h"
 #include "report/version.h"
@@ -12,7 +13,8 @@ namespace {
 
 constexpr const char* kHelpFooter =
     "Exit status: 0 done, 1 internal error, 2 wrong usage, 3 no readable scan or no person,\n"
-    "4 not the garment asked for, 75 a temporary failure worth another try, 130 and 143 stopped.";
+    "4 not the garment asked for, 5 a gate failed, 75 a temporary failure worth another try,\n"
+    "130 and 143 stopped.";
 
 void add_speech(CLI::App& command, Speech& speech) {
   command.add_flag("--quiet", speech.quiet, "No progress on standard error");
@@ -68,6 +70,14 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   return fit;
 }
 
+CLI::App* add_evaluate(CLI::App& app, EvaluateArguments& a) {
+  CLI::App* evaluate =
+      app.add_subcommand("evaluate", "Measure many scans and compare with their truth");
+  add_evaluate_options(*evaluate, a);
+  add_speech(*evaluate, a.speech);
+  return evaluate;
+}
+
 CLI::App* add_report(CLI::App& app, ReportArguments& a) {
   CLI::App* report = app.add_subcommand("report", "Make the report of a stored result again");
   report->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
@@ -91,9 +101,11 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
+constexpr const char* kCommands = "fit, evaluate, report, render or templates";
+
 // CLI11 prints an unknown command as an argument it did not expect.
 void check_command_name(int argc, const char* const* argv) {
-  if (argc < 2) throw UsageError("no command; use fit, report, render or templates (--help)");
+  if (argc < 2) throw UsageError(std::string("no command; use ") + kCommands + " (--help)");
   const std::string_view name = argv[1];
   for (const std::string_view known : {"-h", "--help", "--version"}) {
     if (name == known) return;
@@ -101,11 +113,10 @@ void check_command_name(int argc, const char* const* argv) {
   if (name.starts_with("-")) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
-  for (const std::string_view known : {"fit", "report", "render", "templates"}) {
+  for (const std::string_view known : {"fit", "evaluate", "report", "render", "templates"}) {
     if (name == known) return;
   }
-  throw UsageError("'" + one_line(name, 60) +
-                   "' is no command of this version; use fit, report, render or templates");
+  throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
 }
 
 // A flag that was taken for a value: "--out --force".
@@ -141,6 +152,15 @@ void check(const FitArguments& a) {
   }
 }
 
+void check(const EvaluateArguments& a) {
+  check_value("TABLE", a.table);
+  check_value("--out", a.out);
+  if (a.scans) check_value("--scans", *a.scans);
+  if (a.estimates) check_value("--estimates", *a.estimates);
+  if (a.baseline) check_value("--baseline", *a.baseline);
+  check_evaluate_options(a);
+}
+
 void check(const RenderArguments& a) {
   check_value("--out", a.out);
   for (const auto& mesh : a.meshes) check_value("MESH", mesh);
@@ -159,6 +179,7 @@ std::string in_one_line(const CLI::ParseError& error, const std::string& command
 Command parse_command_line(int argc, const char* const* argv) {
   check_command_name(argc, argv);
   FitArguments fit;
+  EvaluateArguments evaluate;
   ReportArguments report;
   RenderArguments render;
   TemplatesArguments templates;
@@ -167,6 +188,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", "regarment " + version());
   app.footer(kHelpFooter);
   CLI::App* fit_app = add_fit(app, fit);
+  CLI::App* evaluate_app = add_evaluate(app, evaluate);
   CLI::App* report_app = add_report(app, report);
   CLI::App* render_app = add_render(app, render);
   add_templates(app, templates);
@@ -188,6 +210,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     throw UsageError(in_one_line(error, used() == &app ? "" : used()->get_name()));
   }
   if (used() == fit_app) return check(fit), fit;
+  if (used() == evaluate_app) return check(evaluate), evaluate;
   if (used() == report_app) return check_value("DIR", report.folder), report;
   if (used() == render_app) return check(render), render;
   return templates;

@@ -40,6 +40,20 @@ struct FitArguments {
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
 };
 
+/// regarment evaluate TABLE --out DIR
+struct EvaluateArguments {
+  Speech speech;
+  std::filesystem::path table, out;
+  std::optional<std::filesystem::path> scans, estimates, baseline;
+  std::string only;
+  std::vector<std::string> gates;
+  std::vector<std::string> fit_options;  // words for every fit, checked: "--seed", "7"
+  int jobs = 0;                          // 0: as many as the machine has cores
+  int threads = 0;                       // of each fit; 0: the cores shared among the jobs
+  int timeout = 1800;                    // of each fit, s
+  bool force = false, timing = true;
+};
+
 /// regarment report DIR
 struct ReportArguments {
   Speech speech;
@@ -65,8 +79,8 @@ struct TextAnswer {
   std::string text;
 };
 
-using Command =
-    std::variant<FitArguments, ReportArguments, RenderArguments, TemplatesArguments, TextAnswer>;
+using Command = std::variant<FitArguments, EvaluateArguments, ReportArguments, RenderArguments,
+                             TemplatesArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

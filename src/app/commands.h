@@ -11,6 +11,11 @@ namespace regarment {
 /// Finds the garments and writes the result folder. Says the report's path, or result.json.
 void run_fit(const FitArguments& arguments, Console& console);
 
+/// Fits the scans of a table, or compares another's estimates, and sums up. Says the page's path,
+/// or evaluation.json. Throws GateError when a gate failed, and NoGarmentError when a scan came to
+/// no result and no gate speaks of failures; both once everything is written.
+void run_evaluate(const EvaluateArguments& arguments, Console& console);
+
 /// Makes report.html of a stored result again. Says its path.
 void run_report(const ReportArguments& arguments, Console& console);
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/one_line.h"
 
 namespace regarment {
 namespace {
@@ -73,6 +74,11 @@ void Console::clear_bar() {
 
 void Console::say(std::string_view line) const {
   if (!speech_.quiet && !speech_.json) answer(std::string(line) + "\n");
+}
+
+void Console::complain(std::string_view line) {
+  clear_bar();
+  (void)put(STDERR_FILENO, "regarment: " + one_line(line, 2000) + "\n");
 }
 
 void Console::answer(std::string_view text) {

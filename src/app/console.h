@@ -26,6 +26,9 @@ class Console {
   /// JSON.
   void say(std::string_view line) const;
 
+  /// A failure that is not the last, as the one line `main` would make of it; never silent.
+  void complain(std::string_view line);
+
   /// The result on standard output, as it is. Throws TemporaryError when it cannot be written; a
   /// reader that went away has had what it wanted and is no failure.
   static void answer(std::string_view text);

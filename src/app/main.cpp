@@ -30,6 +30,10 @@ struct Run {
     Console console(arguments.speech, stop);
     run_fit(arguments, console);
   }
+  void operator()(const EvaluateArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_evaluate(arguments, console);
+  }
   void operator()(const ReportArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_report(arguments, console);

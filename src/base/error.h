@@ -8,7 +8,7 @@ namespace regarment {
 /// What every error of the project derives from. `what()` is one line for a person: what is wrong,
 /// where, and what to do. `exit_status()` is the status of design decision "exit status" in the
 /// README: 1 internal, 2 wrong usage, 3 unreadable or no person, 4 not the garment asked for,
-/// 75 temporary failure.
+/// 5 a gate failed, 75 temporary failure.
 class Error : public std::runtime_error {
  public:
   Error(int exit_status, const std::string& message)
@@ -37,6 +37,11 @@ struct NoPersonError : Error {
 /// A person, but not the garment asked for, or no credible fit (exit status 4).
 struct NoGarmentError : Error {
   explicit NoGarmentError(const std::string& message) : Error(4, message) {}
+};
+
+/// A condition on an evaluation does not hold (exit status 5).
+struct GateError : Error {
+  explicit GateError(const std::string& message) : Error(5, message) {}
 };
 
 /// Something outside failed that may work later: disk full, store away (exit status 75).

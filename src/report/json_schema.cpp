@@ -1,5 +1,7 @@
 #include "report/json_schema.h"
 
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -39,13 +41,18 @@ Json parse_strictly(const std::string& text, const std::string& name) {
   }
 }
 
-struct ResultSchema {
-  ResultSchema() {
-    const Json json = Json::parse(embedded_text("result.schema.json"));
-    valijson::SchemaParser().populateSchema(Adapter(json), schema);
+// Each is made once; they live as long as the program.
+const valijson::Schema& schema_named(const std::string& name) {
+  static std::mutex guard;
+  static std::map<std::string, valijson::Schema> known;
+  const std::lock_guard lock(guard);
+  const auto [entry, made] = known.try_emplace(name);
+  if (made) {
+    const Json json = Json::parse(embedded_text(name));
+    valijson::SchemaParser().populateSchema(Adapter(json), entry->second);
   }
-  valijson::Schema schema;
-};
+  return entry->second;
+}
 
 std::string place_of(const valijson::ValidationResults::Error& error) {
   std::string place;
@@ -60,18 +67,21 @@ std::string place_of(const valijson::ValidationResults::Error& error) {
 
 }  // namespace
 
-void check_by_result_schema(const std::string& text, const std::string& name) {
+void check_by_schema(const std::string& text, const std::string& schema, const std::string& name,
+                     const std::string& advice) {
   const Json json = parse_strictly(text, name);
   valijson::Validator validator;
   valijson::ValidationResults results;
-  static const ResultSchema expected;
-  if (validator.validate(expected.schema, Adapter(json), &results)) return;
+  if (validator.validate(schema_named(schema), Adapter(json), &results)) return;
   // valijson tells the innermost failure first.
   valijson::ValidationResults::Error error;
   results.popError(error);
   throw ReadError(name + ": at " + one_line(place_of(error), 120) + ": " +
-                  one_line(error.description, 160) +
-                  "; make the result again with 'regarment fit'");
+                  one_line(error.description, 160) + "; " + advice);
+}
+
+void check_by_result_schema(const std::string& text, const std::string& name) {
+  check_by_schema(text, "result.schema.json", name, "make the result again with 'regarment fit'");
 }
 
 }  // namespace regarment

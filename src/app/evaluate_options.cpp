@@ -1,0 +1,75 @@
+#include "app/evaluate_options.h"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+// An option of `fit` that every fit is to be given; its value is checked there.
+void forward(CLI::App& app, EvaluateArguments& a, const std::string& name,
+             const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&a, name](const std::string& value) {
+           a.fit_options.push_back(name);
+           a.fit_options.push_back(value);
+         },
+         help)
+      ->group("Every fit");
+}
+
+}  // namespace
+
+void add_evaluate_options(CLI::App& evaluate, EvaluateArguments& a) {
+  evaluate.add_option("TABLE", a.table, "CSV table of scans and their true dimensions")->required();
+  evaluate.add_option("--out", a.out, "Folder of the evaluation; finished fits in it are kept")
+      ->required();
+  evaluate.add_flag("--force", a.force, "Make every fit again");
+  evaluate.add_option("--scans", a.scans, "Another folder to find scans in");
+  evaluate.add_option("--only", a.only, "Only scans whose name matches, with * and ?");
+  evaluate.add_option("--estimates", a.estimates,
+                      "Compare the estimates of this table; fit nothing");
+  evaluate.add_option("--baseline", a.baseline, "An evaluation.json of before to compare with");
+  evaluate
+      .add_option("--gate", a.gates,
+                  "A condition such as \"mae_cm<=1.0\" or \"skirt.hip.p95_cm<2\"; repeat for more")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  evaluate.add_option("--jobs", a.jobs, "Fits at once; as many as there are cores by default")
+      ->check(CLI::Range(1, 256));
+  evaluate.add_option("--threads", a.threads, "Threads of each fit; the cores shared by default")
+      ->check(CLI::Range(1, 256));
+  evaluate.add_option("--timeout", a.timeout, "Longest time of a fit, s")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  evaluate.add_flag("!--no-timing", a.timing,
+                    "Leave out times, so that two evaluations give the same bytes");
+  forward(evaluate, a, "--method", "How to find the dimensions, see 'regarment fit --help'");
+  forward(evaluate, a, "--seed", "Seed");
+  forward(evaluate, a, "--runs", "Searches of the method annealing");
+  forward(evaluate, a, "--evaluations", "Drapes of each search");
+  evaluate
+      .add_option_function<std::string>(
+          "--args",
+          [&a](const std::string& text) {
+            std::istringstream words(text);
+            for (std::string word; words >> word;) a.fit_options.push_back(word);
+          },
+          "Other options of 'regarment fit', in one text: --args \"--collisions --up +z\"")
+      ->group("Every fit");
+}
+
+void check_evaluate_options(const EvaluateArguments& a) {
+  if (!a.estimates) return;
+  const bool fits = a.scans || a.force || !a.only.empty() || !a.fit_options.empty();
+  if (fits) {
+    throw UsageError(
+        "--estimates compares without fitting; leave out --scans, --only, --force and options of "
+        "fits");
+  }
+}
+
+}  // namespace regarment

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+
+namespace regarment {
+
+/// How a child process ended.
+struct ChildEnd {
+  int status = 0;          // exit status; 128 + signal when a signal ended it
+  bool timed_out = false;  // ended by us, its time was over
+  std::string last_line;   // of standard error; what was not printable is spelled out
+  double seconds = 0;      // wall time
+};
+
+struct ChildPoolOptions {
+  int at_once = 1;                     // >= 1
+  std::chrono::seconds timeout{3600};  // of each child
+};
+
+/// Runs the commands (absolute path of a program, then its arguments), `at_once` at a time and in
+/// their order, and tells `ended` of each in the order they end. Standard input and output of a
+/// child are /dev/null. A child whose time is over, and every child when `ended` or
+/// `still_wanted` throws, is stopped together with all processes it began: SIGTERM, and SIGKILL a
+/// second later. Children end with this program however it ends. `still_wanted` is called several
+/// times a second from the calling thread. Throws TemporaryError when no process can be started.
+void run_children(const std::vector<std::vector<std::string>>& commands,
+                  const ChildPoolOptions& options,
+                  const std::function<void(std::size_t command, const ChildEnd&)>& ended,
+                  const std::function<void()>& still_wanted);
+
+}  // namespace regarment

@@ -1,0 +1,84 @@
+#include "evaluation/fit_job.h"
+
+#include <array>
+#include <fstream>
+#include <span>
+
+#include "base/error.h"
+#include "base/sha256.h"
+#include "report/files.h"
+#include "report/result.h"
+#include "report/version.h"
+
+namespace regarment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kKeyFile = "evaluation.key";
+constexpr std::size_t kMostResultBytes = 64U << 20U;
+
+// A path that cannot be taken for an option.
+std::string path_argument(const fs::path& path) {
+  const std::string text = path.string();
+  return text.starts_with("-") ? "./" + text : text;
+}
+
+std::string key_of(const EvaluationCase& one, const FitJobOptions& options,
+                   const std::string& program_sha256) {
+  std::string key = "regarment " + version() + " " + program_sha256 + "\n";
+  for (const std::string& garment : one.garments) key += "garment " + garment + "\n";
+  for (const std::string& word : options.options) key += "option " + word + "\n";
+  for (const std::string& word : one.options) key += "option of its own " + word + "\n";
+  if (!options.timing) key += "no timing\n";
+  key += one.truth_rows;
+  if (one.labels) key += "labels " + file_sha256(*one.labels) + "\n";
+  return key;
+}
+
+}  // namespace
+
+FitJob make_fit_job(const EvaluationCase& one, const FitJobOptions& options,
+                    const std::string& program_sha256) {
+  FitJob job;
+  job.folder = options.fits / one.name;
+  job.key = key_of(one, options, program_sha256);
+  job.command = {options.program.string(), "fit", path_argument(one.scan)};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    job.command.push_back(name), job.command.push_back(value);
+  };
+  for (const std::string& garment : one.garments) add("--garment", garment);
+  add("--out", path_argument(job.folder));
+  job.command.insert(job.command.end(), {"--force", "--quiet"});
+  add("--threads", std::to_string(options.threads));
+  if (!options.timing) job.command.push_back("--no-timing");
+  add("--ground-truth", path_argument(options.table));
+  if (one.labels) add("--ground-truth-labels", path_argument(*one.labels));
+  job.command.insert(job.command.end(), options.options.begin(), options.options.end());
+  job.command.insert(job.command.end(), one.options.begin(), one.options.end());
+  return job;
+}
+
+bool is_finished(const FitJob& job, const EvaluationCase& one) {
+  try {
+    if (read_file(job.folder / kKeyFile, job.key.size() + 1) != job.key) return false;
+    const std::string text = read_file(job.folder / "result.json", kMostResultBytes);
+    return parse_result(text, "result.json").scan.sha256 == file_sha256(one.scan);
+  } catch (const ReadError&) {
+    return false;
+  }
+}
+
+void mark_finished(const FitJob& job) { write_file(job.folder / kKeyFile, job.key); }
+
+std::string file_sha256(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Sha256 sha;
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    sha.add(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(stream.gcount()))));
+  }
+  return stream.eof() ? sha.hex() : "";
+}
+
+}  // namespace regarment
