@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "analysis/advice.h"
 #include "analysis/stage.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -45,6 +46,7 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   progress.report("place", 0.3);
   stage.body = find_body(stage.samples, scan.facts.height);
   apply_landmarks(options.placement, stage.body);
+  for (Finding& finding : advise(stage.body)) scan.facts.findings.push_back(std::move(finding));
   stage.parts = vertex_parts(scan, stage.samples, stage.body);
   analysis.landmarks = stage.body.landmarks();
   analysis.times.push_back({"place", watch.lap()});
