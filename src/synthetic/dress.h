@@ -35,7 +35,6 @@ struct DressReport {
   double deepest = 0.0;    // m, furthest that a sample of the cloth lies inside the body or a
                            // garment below; 0: none does
   double simulated = 0.0;  // s
-  int crossings = 0;       // pairs of its own triangles that intersect
 };
 
 /// A person dressed, and how well it went; the caller decides what to keep.

@@ -94,25 +94,50 @@ void SelfContact::find(const std::vector<Vec3>& x) {
   for (std::uint32_t t = 0; t < sheet_.triangles.size(); ++t) pair_up(t, x);
 }
 
+SelfContact::Overlap SelfContact::overlap(const Pair& pair, const std::vector<Vec3>& before,
+                                          const std::vector<Vec3>& x) const {
+  const Triangle& t = sheet_.triangles[pair.triangle];
+  const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
+  const auto& w = pair.weights;
+  Overlap out;
+  out.normal = pair.side * (b - a).cross(c - a).normalized();
+  out.depth = distance_ - out.normal.dot(x[pair.particle] - (w[0] * a + w[1] * b + w[2] * c));
+  // Deeper than cloth can get between two searches: the triangle has turned over.
+  if (out.depth > 2 * distance_) out.depth = 0;
+  if (out.depth <= 0) return out;
+  const Vec3 moved = x[pair.particle] - before[pair.particle] - w[0] * (a - before[t[0]]) -
+                     w[1] * (b - before[t[1]]) - w[2] * (c - before[t[2]]);
+  out.slide = moved - out.normal.dot(moved) * out.normal;
+  return out;
+}
+
 void SelfContact::add_forces(const std::vector<Vec3>& before, const std::vector<Vec3>& x,
                              double pressure, std::vector<Vec3>& forces) const {
   for (const Pair& pair : pairs_) {
-    const Triangle& t = sheet_.triangles[pair.triangle];
-    const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
-    const Vec3 normal = pair.side * (b - a).cross(c - a).normalized();
-    const auto& w = pair.weights;
-    const double depth =
-        distance_ - normal.dot(x[pair.particle] - (w[0] * a + w[1] * b + w[2] * c));
-    // Deeper than cloth can get between two searches: the triangle has turned over.
-    if (depth <= 0 || depth > 2 * distance_) continue;
-    const Vec3 moved = x[pair.particle] - before[pair.particle] - w[0] * (a - before[t[0]]) -
-                       w[1] * (b - before[t[1]]) - w[2] * (c - before[t[2]]);
-    const Vec3 slide = moved - normal.dot(moved) * normal;
-    const double push = pressure * sheet_.area[pair.particle] * depth;
-    const double rub = sheet_.fabric.friction * push / (slide.norm() + kSlowSlide);
-    const Vec3 force = push * normal - rub * slide;
+    const Overlap o = overlap(pair, before, x);
+    if (o.depth <= 0) continue;
+    const double push = pressure * sheet_.area[pair.particle] * o.depth;
+    const double rub = sheet_.fabric.friction * push / (o.slide.norm() + kSlowSlide);
+    const Vec3 force = push * o.normal - rub * o.slide;
     forces[pair.particle] += force;
-    for (int k = 0; k < 3; ++k) forces[t[k]] -= w[k] * force;
+    const Triangle& t = sheet_.triangles[pair.triangle];
+    for (int k = 0; k < 3; ++k) forces[t[k]] -= pair.weights[k] * force;
+  }
+}
+
+void SelfContact::separate(const std::vector<Vec3>& before, std::vector<Vec3>& x) const {
+  for (const Pair& pair : pairs_) {
+    const Overlap o = overlap(pair, before, x);
+    if (o.depth <= 0) continue;
+    const Triangle& t = sheet_.triangles[pair.triangle];
+    const double own = 1 / sheet_.mass[pair.particle];
+    double all = own;
+    for (int k = 0; k < 3; ++k) all += pair.weights[k] * pair.weights[k] / sheet_.mass[t[k]];
+    const double length = o.slide.norm(), held = sheet_.fabric.friction * o.depth;
+    const Vec3 back = length > held ? Vec3(o.slide * (held / length)) : o.slide;
+    const Vec3 push = (o.depth * o.normal - back) / all;
+    x[pair.particle] += own * push;
+    for (int k = 0; k < 3; ++k) x[t[k]] -= pair.weights[k] / sheet_.mass[t[k]] * push;
   }
 }
 

@@ -19,6 +19,9 @@ class SelfContact {
   /// particle's area, with friction against sliding since `before`.
   void add_forces(const std::vector<Vec3>& before, const std::vector<Vec3>& x, double pressure,
                   std::vector<Vec3>& forces) const;
+  /// Moves pairs that lie too near apart at once, each side by its mass, and takes their sliding
+  /// since `before` by friction.
+  void separate(const std::vector<Vec3>& before, std::vector<Vec3>& x) const;
   /// Adds the greatest stiffness of these forces to each particle's, N/m.
   void add_stiffness(double pressure, std::vector<double>& stiffness) const;
 
@@ -31,6 +34,13 @@ class SelfContact {
     Vec3 weights = Vec3::Zero();  // of the triangle's corners
     double side = 1.0;            // of the triangle's normal the particle lies on
   };
+  /// A pair too near: how deep, and along which normal; depth <= 0 when it is not.
+  struct Overlap {
+    double depth = 0.0;
+    Vec3 normal = Vec3::Zero(), slide = Vec3::Zero();
+  };
+  Overlap overlap(const Pair& pair, const std::vector<Vec3>& before,
+                  const std::vector<Vec3>& x) const;
   void pair_up(std::uint32_t triangle, const std::vector<Vec3>& x);
 
   const Sheet& sheet_;

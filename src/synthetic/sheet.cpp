@@ -142,6 +142,14 @@ Sheet make_sheet(const Pattern& pattern, const Fabric& fabric, double band) {
   sheet.edge_length =
       std::sqrt(sum / static_cast<double>(sheet.elements.size()) * 4 / std::sqrt(3.0));
   sheet.bending = make_bending(wings, n, fabric.bending);
+  sheet.bending_diagonal.assign(n, 0.0);
+  for (std::uint32_t p = 0; p < n; ++p)
+    for (std::uint32_t k = sheet.bending.begin[p]; k < sheet.bending.begin[p + 1]; ++k)
+      if (sheet.bending.column[k] == p) sheet.bending_diagonal[p] = sheet.bending.value[k];
+  sheet.on_trunk.assign(n, 0);
+  for (std::size_t v = 0; v < pattern.particle.size(); ++v)
+    if (pattern.panel_limbs.empty() || pattern.panel_limbs[pattern.panel[v]] == "torso")
+      sheet.on_trunk[pattern.particle[v]] = 1;
   sheet.near = two_rings(wings, n);
   for (const SheetElement& e : sheet.elements) sheet.triangles.push_back(e.corner);
   return sheet;

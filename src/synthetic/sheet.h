@@ -35,10 +35,12 @@ struct Sheet {
   std::vector<SheetElement> elements;  //
   std::vector<Triangle> triangles;     // corners of the elements, in their order
   BendingMatrix bending;
+  std::vector<double> bending_diagonal;  // N/m, per particle
   // Particles at most two edges away, ascending, itself among them: never in contact with each
   // other.
   std::vector<std::vector<std::uint32_t>> near;
-  double edge_length = 0.0;  // m, mean
+  std::vector<std::uint8_t> on_trunk;  // per particle: on a panel that goes round the trunk
+  double edge_length = 0.0;            // m, mean
 
   std::size_t particle_count() const { return mass.size(); }
 };

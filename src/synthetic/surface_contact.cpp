@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace regarment {
 namespace {
 
 constexpr double kReach = 0.05;       // m, further away nothing is in contact
-constexpr double kAirGap = 5e-4;      // m, cloth sags this little between its particles
+constexpr double kAirGap = 1e-3;      // m, cloth sags this little between its particles
 constexpr double kSoon = 0.002;       // m, nearer than this a particle may touch before long
 constexpr double kAskAgain = 0.25;    // share of its distance a particle moves before it asks again
 constexpr double kAlwaysGood = 5e-4;  // m it moves without asking, however near it is
@@ -39,17 +41,22 @@ Vec3 point_at(const std::vector<Vec3>& positions, const Triangle& t, const Vec3&
 
 }  // namespace
 
-Obstacle::Obstacle(std::vector<Triangle> triangles, std::vector<Vec3> positions, double thickness)
-    : triangles_(std::move(triangles)),
+Obstacle::Obstacle(ObstacleKind kind, std::vector<Triangle> triangles, std::vector<Vec3> positions,
+                   double thickness)
+    : kind_(kind),
+      triangles_(std::move(triangles)),
       now_(std::move(positions)),
       before_(now_),
       thickness_(thickness) {
+  // Cloth around holds in what lies on its inner side.
+  if (kind == ObstacleKind::Around)
+    for (Triangle& t : triangles_) std::swap(t[0], t[1]);
   rebuild();
 }
 
-void Obstacle::move_to(const std::vector<Vec3>& positions) {
+void Obstacle::move_to(std::vector<Vec3> positions) {
   before_ = std::move(now_);
-  now_ = positions;
+  now_ = std::move(positions);
 }
 
 void Obstacle::rebuild() {
@@ -67,20 +74,30 @@ Vec3 Obstacle::normal(std::uint32_t triangle, const Vec3& weights) const {
   return point_at(normals_, triangles_[triangle], weights).normalized();
 }
 
+Vec3 Obstacle::normal(const ClosestHit& hit) const {
+  const Triangle& t = triangles_[hit.element];
+  return normal(hit.element, weights_of(hit.point, now_[t[0]], now_[t[1]], now_[t[2]]));
+}
+
 SurfaceContact::SurfaceContact(const Sheet& sheet)
     : sheet_(sheet), contacts_(sheet.particle_count()) {}
 
-SurfaceContact::Contact SurfaceContact::ask(const Obstacle& obstacle, const Vec3& p) const {
+SurfaceContact::Contact SurfaceContact::ask(const Obstacle& obstacle, std::size_t particle,
+                                            const Vec3& p) const {
   Contact out;
   out.asked_at = p;
+  if (obstacle.kind() == ObstacleKind::Around && sheet_.on_trunk[particle] == 0) {
+    out.good_for = std::numeric_limits<double>::infinity();
+    return out;
+  }
   const ClosestHit hit = obstacle.closest(p, kReach);
   if (!hit.found()) {
     out.good_for = kAskAgain * kReach;
     return out;
   }
   out.good_for = std::max(kAlwaysGood, kAskAgain * std::sqrt(hit.squared_distance));
-  // Beyond the edge of a garment below there is nothing to lie on.
-  if (hit.on_border && obstacle.thickness() > 0) return out;
+  // Beyond the edge of a garment there is nothing to touch.
+  if (hit.on_border && obstacle.kind() != ObstacleKind::Body) return out;
   const Triangle& t = obstacle.triangles()[hit.element];
   const std::vector<Vec3>& at = obstacle.now();
   out.triangle = hit.element;
@@ -93,7 +110,7 @@ void SurfaceContact::find(const Obstacle& obstacle, const std::vector<Vec3>& x, 
   for (std::size_t p = 0; p < x.size(); ++p) {
     const double moved = (x[p] - contacts_[p].asked_at).norm();
     if (!all && moved <= contacts_[p].good_for) continue;
-    Contact fresh = ask(obstacle, x[p]);
+    Contact fresh = ask(obstacle, p, x[p]);
     fresh.stuck_at = contacts_[p].stuck_at;
     fresh.sticks = contacts_[p].sticks;
     contacts_[p] = fresh;
@@ -120,6 +137,25 @@ void SurfaceContact::add_forces(const Obstacle& obstacle, const std::vector<Vec3
     rub -= c.normal.dot(rub) * c.normal;
     const double most = sheet_.fabric.friction * k * deep, length = rub.norm();
     forces[p] += length > most ? Vec3(rub * (most / length)) : rub;
+  }
+}
+
+void SurfaceContact::push_out(const Obstacle& obstacle, const std::vector<Vec3>& before,
+                              std::vector<Vec3>& x) const {
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    const Contact& c = contacts_[p];
+    if (c.triangle == ClosestHit::kNone) continue;
+    // Two garments give way alike.
+    const double share = obstacle.kind() == ObstacleKind::Body ? 1.0 : 0.5;
+    const double deep = share * depth(obstacle, c, x[p]);
+    if (deep <= 0) continue;
+    x[p] += deep * c.normal;
+    const Triangle& t = obstacle.triangles()[c.triangle];
+    Vec3 slide = x[p] - before[p] - point_at(obstacle.now(), t, c.weights) +
+                 point_at(obstacle.before(), t, c.weights);
+    slide -= c.normal.dot(slide) * c.normal;
+    const double length = slide.norm(), held = sheet_.fabric.friction * deep;
+    x[p] -= length > held ? Vec3(slide * (held / length)) : slide;
   }
 }
 

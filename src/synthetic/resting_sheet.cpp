@@ -1,9 +1,9 @@
-#include "synthetic/moving_sheet.h"
+#include "synthetic/resting_sheet.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
+#include "synthetic/falling_sheet.h"
 
 namespace regarment {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kPinned = 1e9;              // N/m
 
 }  // namespace
 
-MovingSheet::MovingSheet(const Sheet& sheet, std::vector<Vec3> positions)
+RestingSheet::RestingSheet(const Sheet& sheet, std::vector<Vec3> positions)
     : sheet_(sheet),
       x_(std::move(positions)),
       v_(x_.size(), Vec3::Zero()),
@@ -24,20 +24,20 @@ MovingSheet::MovingSheet(const Sheet& sheet, std::vector<Vec3> positions)
       self_(sheet),
       bound_(stiffness_bound(sheet)) {
   if (x_.size() != sheet.particle_count())
-    throw InvalidInput("MovingSheet: not one position per particle");
+    throw InvalidInput("RestingSheet: not one position per particle");
   solver_.analyzePattern(bound_);
 }
 
-void MovingSheet::find_contacts(const std::vector<const Obstacle*>& obstacles,
-                                const MotionOptions& options) {
+void RestingSheet::find_contacts(const std::vector<const Obstacle*>& obstacles,
+                                 const RestOptions& options) {
   const bool all = contacts_.size() != obstacles.size();
   if (all) contacts_ = std::vector<SurfaceContact>(obstacles.size(), SurfaceContact(sheet_));
   if (options.self_contact && steps_ % kSelfSearchEvery == 0) self_.find(x_);
   for (std::size_t i = 0; i < obstacles.size(); ++i) contacts_[i].find(*obstacles[i], x_, all);
 }
 
-void MovingSheet::factor(const std::vector<const Obstacle*>& obstacles,
-                         const MotionOptions& options) {
+void RestingSheet::factor(const std::vector<const Obstacle*>& obstacles,
+                          const RestOptions& options) {
   std::vector<double> more(x_.size(), 0.0);
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     contacts_[i].add_stiffness(*obstacles[i], x_, options.pressure, more);
@@ -53,8 +53,8 @@ void MovingSheet::factor(const std::vector<const Obstacle*>& obstacles,
     throw InvalidInput("the cloth's stiffness has no factorisation: the fabric is out of range");
 }
 
-std::vector<Vec3> MovingSheet::forces(const std::vector<const Obstacle*>& obstacles,
-                                      const MotionOptions& options) const {
+std::vector<Vec3> RestingSheet::forces(const std::vector<const Obstacle*>& obstacles,
+                                       const RestOptions& options) const {
   const double per_mass = 1 / (options.time_step * options.time_step);
   std::vector<Vec3> out(x_.size());
   for (std::size_t p = 0; p < x_.size(); ++p)
@@ -69,8 +69,7 @@ std::vector<Vec3> MovingSheet::forces(const std::vector<const Obstacle*>& obstac
   return out;
 }
 
-void MovingSheet::step(const std::vector<const Obstacle*>& obstacles,
-                       const MotionOptions& options) {
+void RestingSheet::step(const std::vector<const Obstacle*>& obstacles, const RestOptions& options) {
   const double dt = options.time_step, kept = std::exp(-options.air * dt);
   find_contacts(obstacles, options);
   if (steps_ % kFactorEvery == 0) factor(obstacles, options);
@@ -100,13 +99,6 @@ void MovingSheet::step(const std::vector<const Obstacle*>& obstacles,
   ++steps_;
 }
 
-double MovingSheet::speed(double share) const {
-  std::vector<double> speeds;
-  speeds.reserve(v_.size());
-  for (const Vec3& v : v_) speeds.push_back(v.norm());
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(speeds.size() - 1));
-  std::nth_element(speeds.begin(), speeds.begin() + static_cast<std::ptrdiff_t>(at), speeds.end());
-  return speeds[at];
-}
+double RestingSheet::speed(double share) const { return length_quantile(v_, share); }
 
 }  // namespace regarment
