@@ -10,9 +10,10 @@ namespace regarment {
 /// How points become a surface.
 struct ReconstructOptions {
   double cell = 0.006;  // m, 0.002 .. 0.05: length of the triangles' edges, about
-  // m, 0.001 .. 0.2: surface further than this from every point is invented: label 255.
-  double invented = 0.012;
-  double open_reach = 0.015;  // m, 0.001 .. 0.2: an open mesh ends so far from the points
+  // m, 0.001 .. 0.2: surface further than this from every point is invented: label 255. Right
+  // for points 3 mm apart, as `open_reach` is; both should grow with the distance between points.
+  double invented = 0.008;
+  double open_reach = 0.005;  // m, 0.001 .. 0.2: an open mesh goes so far beyond the points
   int least_piece = 200;      // 0 .. 1e6: separate pieces of fewer triangles are left out
 
   void check() const;  // throws InvalidInput naming the field and its value

@@ -9,8 +9,10 @@
 namespace regarment {
 namespace {
 
-constexpr double kReach = 2;  // cells that a point is heard
-constexpr int kMargin = 6;    // cells around the points
+// Cells that a point is heard along its normal and across it. Across it is less, or a sheet would
+// go on beyond its edge.
+constexpr double kReach = 2, kReachAcross = 1.25;
+constexpr int kMargin = 6;  // cells around the points
 constexpr double kMostNodes = 1 << 24;
 constexpr float kTrust = 4;    // pull of a point at a node, against that of a neighbour
 constexpr int kSmallest = 12;  // nodes along the shortest side of the coarsest grid, at most
@@ -82,12 +84,14 @@ void add_point(const Vec3& point, const Vec3& normal, Level& level) {
     for (int y = first[1]; y <= last[1]; ++y)
       for (int x = first[0]; x <= last[0]; ++x) {
         const Vec3 off = Vec3(x, y, z) - at;
-        const double near = 1 - off.squaredNorm() / (kReach * kReach);
+        const double along = off.dot(normal), across = off.squaredNorm() - along * along;
+        const double near =
+            1 - along * along / (kReach * kReach) - across / (kReachAcross * kReachAcross);
         if (near <= 0) continue;
         const std::size_t i = field.index(x, y, z);
         const double weight = near * near;
         level.weight[i] += static_cast<float>(weight);
-        level.target[i] += static_cast<float>(weight * field.cell * off.dot(normal));
+        level.target[i] += static_cast<float>(weight * field.cell * along);
       }
 }
 

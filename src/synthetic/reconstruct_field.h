@@ -22,13 +22,14 @@ struct DistanceField {
   std::size_t nodes() const { return std::size_t(size[0]) * size[1] * size[2]; }
 };
 
-/// The field of the surface that points with outward normals lie on. Within two cells of points it
-/// is their mean distance along the normals [Hoppe et al. 1992; Curless and Levoy 1996]; elsewhere
-/// it goes on harmonically, as the indicator function of Poisson reconstruction does [Kazhdan et
-/// al. 2006], which closes what no camera saw: holes, and the opening between a hem and the legs.
-/// Positive on the border of the grid, six cells around the points. `cell` (m) is made larger where
-/// the grid would have more than 2^24 nodes. Solved on coarser grids first, at the finest one only
-/// near the surface. Throws InvalidInput without points, or when one is not finite.
+/// The field of the surface that points with outward normals lie on. Near points, two cells
+/// along their normals, it is their mean distance along the normals [Hoppe et al. 1992; Curless and
+/// Levoy 1996]; elsewhere it goes on harmonically, as the indicator function of Poisson
+/// reconstruction does [Kazhdan et al. 2006], which closes what no camera saw: holes, and the
+/// opening between a hem and the legs. Positive on the border of the grid, six cells around the
+/// points. `cell` (m) is made larger where the grid would have more than 2^24 nodes. Solved on
+/// coarser grids first, at the finest one only near the surface. Throws InvalidInput without
+/// points, or when one is not finite.
 DistanceField distance_field(std::span<const Vec3> points, std::span<const Vec3> normals,
                              double cell);
 

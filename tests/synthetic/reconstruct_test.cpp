@@ -93,8 +93,8 @@ TEST(Reconstruct, HoleIsClosedAndCalledInvented) {
     double nearest = 1;
     for (const Vec3& p : scan.cloud.positions)
       nearest = std::min(nearest, (p - closed.mesh.positions[v]).norm());
-    ASSERT_EQ(closed.labels[v] == ScannedPerson::kOutlier, nearest > 0.012);
-    invented += nearest > 0.012;
+    ASSERT_EQ(closed.labels[v] == ScannedPerson::kOutlier, nearest > ReconstructOptions{}.invented);
+    invented += nearest > ReconstructOptions{}.invented;
   }
   // A flat disc would have 700 cells; the cap bulges a little.
   EXPECT_GT(invented, 400U);
