@@ -30,6 +30,31 @@ bool lit(const DepthPicture& light, const Vec3& point, double tangent) {
   return false;
 }
 
+// Waves across the picture, of mean square 1 together.
+class Ripple {
+ public:
+  explicit Ripple(Random& random) {
+    for (Wave& wave : waves_) {
+      const double length = random.uniform(5, 20), angle = random.uniform(0, kTurn);
+      wave = {kTurn / length * std::cos(angle), kTurn / length * std::sin(angle),
+              random.uniform(0, kTurn)};
+    }
+  }
+  double at(int x, int y) const {
+    double sum = 0;
+    for (const Wave& wave : waves_) sum += std::sin(wave.x * x + wave.y * y + wave.phase);
+    return std::sqrt(2.0 / kWaves) * sum;
+  }
+
+ private:
+  static constexpr double kTurn = 2 * std::numbers::pi;
+  static constexpr int kWaves = 6;
+  struct Wave {
+    double x, y, phase;
+  };
+  std::array<Wave, kWaves> waves_{};
+};
+
 class Sensing {
  public:
   Sensing(const ScannerScene& scene, const DepthSensor& sensor, const SensingOptions& options,
@@ -37,6 +62,7 @@ class Sensing {
       : scene_(scene),
         options_(options),
         random_(random),
+        ripple_(random),
         picture_(draw_depth(sensor.camera, scene.positions, scene.triangles)),
         light_(draw_depth(sensor.projector, scene.positions, scene.triangles)),
         measured_(picture_.depth.size(), 0.0) {}
@@ -85,6 +111,7 @@ class Sensing {
     if (!returns(t, std::min(cosine, light))) return false;
     if (!lit(light_, point.true_position, std::sqrt(1 - light * light) / light)) return false;
     measured_[i] = mixed(x, y, point) + error(picture_.depth[i], cosine, darkness(t));
+    if (options_.ripple > 0) measured_[i] += options_.ripple * ripple_.at(x, y);
     if (options_.quantum > 0)
       measured_[i] = options_.quantum * std::round(measured_[i] / options_.quantum);
     points.push_back(point);
@@ -184,6 +211,7 @@ class Sensing {
   const ScannerScene& scene_;
   const SensingOptions& options_;
   Random& random_;
+  Ripple ripple_;
   DepthPicture picture_, light_;
   DepthCamera believed_;          // the camera where it is believed to stand
   std::vector<double> measured_;  // depth per pixel of the picture, m; 0: none
@@ -193,6 +221,7 @@ class Sensing {
 
 void SensingOptions::check() const {
   check_scanner_value("noise", noise, 0, 0.003);
+  check_scanner_value("ripple", ripple, 0, 0.002);
   check_scanner_value("noise_distance", noise_distance, 0.5, 5);
   check_scanner_value("quantum", quantum, 0, 0.005);
   check_scanner_value("calibration", calibration, 0, 0.001);

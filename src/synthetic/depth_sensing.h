@@ -16,6 +16,9 @@ struct SensingOptions {
   // m, 0 .. 0.003: standard deviation of the error along the ray at `noise_distance`, head on. It
   // grows with the square of the distance and with one over the cosine of the angle (to 1 / 0.2).
   double noise = 0.0005;
+  // m, 0 .. 0.002: standard deviation of an error along the ray that neighbours share, as waves of
+  // 5 to 20 pixels; averaging does not take it away as it does noise.
+  double ripple = 0.0;
   double noise_distance = 2.0;  // m, 0.5 .. 5
   double quantum = 0.0;         // m, 0 .. 0.005: depths are multiples of it; 0: any
   // m, 0 .. 0.001: standard deviation, in each direction, of how far a camera believes to stand

@@ -6,7 +6,6 @@
 #include "geometry/point_tree.h"
 #include "synthetic/reconstruct_field.h"
 #include "synthetic/reconstruct_surface.h"
-#include "synthetic/reconstruct_trim.h"
 #include "synthetic/scanner_options.h"
 
 namespace regarment {
@@ -93,6 +92,7 @@ SurfacedPerson reconstruct_closed(const ScannedPerson& scan, const ReconstructOp
 SurfacedPerson reconstruct_open(const ScannedPerson& scan, const ReconstructOptions& options) {
   Mesh mesh = surface_of(scan, options);
   drop_far_triangles(scan.cloud.positions, options.open_reach, mesh);
+  for (const FlatCut& cut : options.cuts) cut_flat(cut, mesh);
   return labelled(std::move(mesh), scan, options);
 }
 

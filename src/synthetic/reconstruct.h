@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "synthetic/reconstruct_trim.h"
 #include "synthetic/scanner.h"
 
 namespace regarment {
@@ -15,6 +16,7 @@ struct ReconstructOptions {
   double invented = 0.008;
   double open_reach = 0.005;  // m, 0.001 .. 0.2: an open mesh goes so far beyond the points
   int least_piece = 200;      // 0 .. 1e6: separate pieces of fewer triangles are left out
+  std::vector<FlatCut> cuts;  // of an open mesh
 
   void check() const;  // throws InvalidInput naming the field and its value
 };
@@ -33,7 +35,7 @@ struct SurfacedPerson {
 SurfacedPerson reconstruct_closed(const ScannedPerson& scan, const ReconstructOptions& options);
 
 /// The same surface without the triangles that have a vertex further than `open_reach` from every
-/// point: it ends where the data ends.
+/// point, and without what `cuts` take away: it ends where the data ends.
 SurfacedPerson reconstruct_open(const ScannedPerson& scan, const ReconstructOptions& options);
 
 }  // namespace regarment

@@ -83,6 +83,27 @@ TEST(DepthSensing, NoiseHasTheSigmaAskedFor) {
   EXPECT_NEAR(deviation(error), options.noise, 0.026 * options.noise);
 }
 
+TEST(DepthSensing, RippleHasItsSigmaAndIsSharedByNeighbours) {
+  SensingOptions options = faultless();
+  options.ripple = 0.001;
+  const ScannerScene scene = scene_of({wall(0, 0.4)});
+  std::vector<double> error, step;
+  const std::vector<SensedPoint> points = sensed(scene, options);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto off = [&](std::size_t k) {
+      return (points[k].position - points[k].true_position).z();
+    };
+    error.push_back(off(i));
+    if ((points[i].true_position - points[i - 1].true_position).norm() < 1.1 * kPixel)
+      step.push_back(off(i) - off(i - 1));
+  }
+  // Hundreds of waves' lengths go over the wall, so that each wave's mean square is half.
+  EXPECT_NEAR(deviation(error), options.ripple, 0.05 * options.ripple);
+  // A wave of five pixels changes by at most 2 sin(pi / 5) = 1.18 of its size from one to the next.
+  EXPECT_LT(deviation(step), 1.18 * options.ripple);
+  EXPECT_GT(deviation(step), 0.05 * options.ripple);
+}
+
 TEST(DepthSensing, NoiseGrowsWithDistanceAndAngle) {
   SensingOptions options = faultless();
   options.noise = 0.0005;
@@ -211,9 +232,9 @@ TEST(DepthSensing, CalibrationMovesAllPointsAsOneBody) {
 
 TEST(DepthSensing, RefusesFaultsOutOfRange) {
   for (double SensingOptions::*field :
-       {&SensingOptions::noise, &SensingOptions::noise_distance, &SensingOptions::quantum,
-        &SensingOptions::calibration, &SensingOptions::grazing_begin, &SensingOptions::grazing_end,
-        &SensingOptions::dropout, &SensingOptions::mixed})
+       {&SensingOptions::noise, &SensingOptions::ripple, &SensingOptions::noise_distance,
+        &SensingOptions::quantum, &SensingOptions::calibration, &SensingOptions::grazing_begin,
+        &SensingOptions::grazing_end, &SensingOptions::dropout, &SensingOptions::mixed})
     for (const double value : {-1.0, 10.0, std::nan("")}) {
       SensingOptions options;
       options.*field = value;

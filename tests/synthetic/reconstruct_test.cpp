@@ -117,6 +117,38 @@ TEST(Reconstruct, OpenSurfaceEndsWithTheData) {
   EXPECT_GT(top, cut - options.cell);
 }
 
+TEST(Reconstruct, FlatCutTakesOnePartAndLeavesAFlatBorder) {
+  Mesh mesh = test::ball(kCentre, kRadius);
+  const Mesh other = test::ball(kCentre + Vec3(1, 0, 0), kRadius);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Triangle& t : other.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  const double height = 0.0503;  // of the cut above the middle; no ring lies there
+  cut_flat({kCentre + Vec3(0, height, 0), Vec3::UnitY(), 0.2}, mesh);
+  // What is left of the first ball, closed by a flat disc, is the ball without a cap.
+  double volume_left = 0, top_of_other = 0;
+  std::size_t in_plane = 0;
+  for (const Vec3& p : mesh.positions) {
+    if (p.x() > 0.5) top_of_other = std::max(top_of_other, p.y());
+    if (p.x() < 0.5) {
+      ASSERT_LE(p.y(), kCentre.y() + height + 1e-12);
+    }
+    in_plane += p.x() < 0.5 && p.y() > kCentre.y() + height - 1e-12;
+  }
+  const Vec3 apex = kCentre + Vec3(0, height, 0);  // cones from a point of the disc: it adds none
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]] - apex, b = mesh.positions[t[1]] - apex,
+               c = mesh.positions[t[2]] - apex;
+    if (mesh.positions[t[0]].x() < 0.5) volume_left += a.dot(b.cross(c)) / 6;
+  }
+  const double cap_height = kRadius - height;
+  const double cap = std::numbers::pi * cap_height * cap_height * (3 * kRadius - cap_height) / 3;
+  EXPECT_NEAR(volume_left, kBallVolume - cap, 0.004 * kBallVolume);
+  EXPECT_GE(in_plane, 120U);
+  EXPECT_NEAR(top_of_other, kCentre.y() + kRadius, 1e-12);
+}
+
 TEST(Reconstruct, VerticesTakeLabelAndColourOfTheirPoints) {
   ScannedPerson scan = ball_points();
   for (const std::uint8_t label : scan.labels)
