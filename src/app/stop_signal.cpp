@@ -21,7 +21,7 @@ void tell_once(int signal) {
   if (told.exchange(true)) return;
   const std::string line = std::string("regarment: stopped by ") +
                            (signal == SIGINT ? "SIGINT" : "SIGTERM") +
-                           "; nothing was written, run it again to have the result\n";
+                           "; nothing half written, run it again to have the result\n";
   // Nothing is left to be told when this cannot be written.
   (void)!::write(STDERR_FILENO, line.data(), line.size());
 }

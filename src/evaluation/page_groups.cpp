@@ -38,9 +38,7 @@ Gaps group_row(const GroupStatistics& group) {
   row.set("iso_pass", judged && group.iso->within);
   row.set("iso_fail", judged && !group.iso->within);
   row.set("limit", judged ? fixed_text(10 * group.iso->limit_cm, 0) : "");
-  row.set("interval",
-          e.bias_low_cm ? signed_text(*e.bias_low_cm, 2) + " to " + signed_text(*e.bias_high_cm, 2)
-                        : "–");
+  row.set_maybe("spread", e.bias_low_cm ? fixed_text(*e.bias_high_cm - e.bias_cm, 2) : "");
   return row;
 }
 

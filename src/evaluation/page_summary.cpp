@@ -24,10 +24,9 @@ std::string sentence(const GroupStatistics& all) {
   std::string out = counted(all.errors.n, "dimension") + " of " + counted(all.scans, "scan") +
                     " the scans show were compared with the truth.";
   if (all.errors.n > 0) {
-    out += " Half of the errors lie " +
-           std::string(all.errors.median_cm < 0 ? "below " : "above ") +
-           signed_text(all.errors.median_cm, 2) + " cm; " + percent_text(all.errors.within_1cm) +
-           " are at most 1 cm, " + percent_text(all.errors.within_2cm) + " at most 2 cm.";
+    out += " " + percent_text(all.errors.within_1cm) + " of the errors are at most 1 cm, " +
+           percent_text(all.errors.within_2cm) + " at most 2 cm; the median is " +
+           signed_text(all.errors.median_cm, 2) + " cm.";
   }
   return out;
 }
