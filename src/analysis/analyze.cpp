@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analysis/advice.h"
+#include "analysis/spread.h"
 #include "analysis/stage.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -35,6 +36,10 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
     throw UsageError("no garment asked for; give --garment NAME, outermost first");
   if (templates.size() > kMostGarments)
     throw UsageError("more than 8 garments asked for; give the visible ones");
+  if (scan.thin) {
+    Analysis of_thin = analyze(scan.thin->scan, templates, options, progress);
+    return spread_over(std::move(of_thin), std::move(scan));
+  }
   Analysis analysis;
   analysis.method = method_name(options.method);
   Stopwatch watch;

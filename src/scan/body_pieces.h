@@ -15,6 +15,7 @@ enum class Belongs : std::uint8_t {
   Post,    // a column beside the person
   Island,  // any other piece apart from the person
   Stray,   // single points, or a few
+  Nowhere  // a vertex whose coordinates are no numbers
 };
 
 /// A connected piece of a sampled scan.

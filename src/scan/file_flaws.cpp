@@ -49,19 +49,6 @@ std::size_t faces_without_area(const Mesh& mesh, const Welded& welded) {
   return without;
 }
 
-/// Points exactly where an earlier one lies. In a mesh that is how seams of texture and parts of a
-/// figure are made, and says nothing.
-std::size_t repeated_points(const Mesh& mesh, const Welded& welded) {
-  if (!mesh.is_cloud()) return 0;
-  const auto finite = std::count_if(welded.of_vertex.begin(), welded.of_vertex.end(),
-                                    [](std::uint32_t at) { return at != Welded::kNone; });
-  return static_cast<std::size_t>(finite) - welded.positions.size();
-}
-
-void note_duplicates(const std::string& found, std::vector<Finding>& findings) {
-  findings.push_back({"duplicates", Severity::Note, found, "They count once", ""});
-}
-
 void note_step(double step, std::vector<Finding>& findings) {
   if (!(step > kCoarseStep)) return;
   findings.push_back({"far_from_origin", step > kUselessStep ? Severity::Problem : Severity::Advice,
@@ -147,27 +134,43 @@ double float_step(std::span<const Vec3> vertices) {
   return std::isfinite(next) ? static_cast<double>(next) - static_cast<double>(most) : 0;
 }
 
-void note_file_flaws(const Mesh& mesh, const Welded& welded, std::size_t repeated, double metres,
-                     std::vector<Finding>& findings) {
-  if (const std::size_t n = repeated_points(mesh, welded); n > 0) {
-    note_duplicates(counted(n, "point lies", "points lie") + " exactly where another does",
-                    findings);
+FileFlaws find_file_flaws(Mesh& mesh, const Welded& welded) {
+  FileFlaws flaws;
+  flaws.not_numbers = static_cast<std::size_t>(
+      std::count(welded.of_vertex.begin(), welded.of_vertex.end(), Welded::kNone));
+  // In a mesh that is how seams of texture and parts of a figure are made, and says nothing.
+  if (mesh.is_cloud()) {
+    flaws.together = mesh.positions.size() - flaws.not_numbers - welded.positions.size();
   }
-  if (repeated > 0) {
-    note_duplicates(counted(repeated, "face repeats", "faces repeat") + " another one", findings);
-  }
-  note_step(float_step(mesh.positions) * metres, findings);
-  if (mesh.is_cloud()) return;
-  if (const std::size_t flat = faces_without_area(mesh, welded); flat > 0) {
-    findings.push_back({"zero_area", Severity::Note,
-                        counted(flat, "face has", "faces have") + " no area", "Passed over", ""});
-  }
+  flaws.step = float_step(mesh.positions);
+  flaws.repeated = drop_repeated(mesh.triangles, welded);
+  flaws.flat = faces_without_area(mesh, welded);
   const std::vector<Triangle> triangles = weld_triangles(mesh.triangles, welded);
-  if (const std::size_t n = find_edges(triangles, welded.positions.size()).crowded; n > 0) {
-    findings.push_back({"non_manifold", Severity::Note,
-                        counted(n, "edge belongs", "edges belong") + " to more than two faces",
-                        "The surface was taken apart there", ""});
+  flaws.crowded = find_edges(triangles, welded.positions.size()).crowded;
+  return flaws;
+}
+
+void note_file_flaws(const FileFlaws& flaws, double metres, std::vector<Finding>& findings) {
+  const auto note = [&](const char* code, std::size_t count, const char* one, const char* many,
+                        const char* rest, const char* done) {
+    if (count == 0) return;
+    findings.push_back({code, Severity::Note, counted(count, one, many) + rest, done, ""});
+  };
+  if (flaws.not_numbers > 0) {
+    findings.push_back(
+        {"not_a_number", Severity::Advice,
+         counted(flaws.not_numbers, "vertex has a coordinate", "vertices have coordinates") +
+             " that are no numbers",
+         "Left out of every measurement", "Export the scan again"});
   }
+  note("duplicates", flaws.together, "point lies", "points lie", " exactly where another does",
+       "They count once");
+  note("duplicates", flaws.repeated, "face repeats", "faces repeat", " another one",
+       "They count once");
+  note("zero_area", flaws.flat, "face has", "faces have", " no area", "Passed over");
+  note("non_manifold", flaws.crowded, "edge belongs", "edges belong", " to more than two faces",
+       "The surface was taken apart there");
+  note_step(flaws.step * metres, findings);
 }
 
 void note_sampling(const Scan& scan, std::vector<Finding>& findings) {

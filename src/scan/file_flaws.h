@@ -20,12 +20,21 @@ std::size_t drop_repeated(std::vector<Triangle>& triangles, const Welded& welded
 /// Coordinates that are not finite are passed over.
 double float_step(std::span<const Vec3> vertices);
 
-/// Says what is wrong with a file's mesh or cloud by itself: points and faces that are there twice
-/// (`repeated` faces are gone already), faces without area, edges of three and more faces, and
-/// coordinates too far from the origin for their digits. `metres`: of one file unit.
-/// `mesh` and `welded` are in the frame of the file.
-void note_file_flaws(const Mesh& mesh, const Welded& welded, std::size_t repeated, double metres,
-                     std::vector<Finding>& findings);
+/// What is wrong with a file's mesh or cloud by itself.
+struct FileFlaws {
+  std::size_t not_numbers = 0;  // vertices with a coordinate that is not finite
+  std::size_t together = 0;     // points of a cloud exactly where an earlier one lies
+  std::size_t repeated = 0;     // faces that were dropped
+  std::size_t flat = 0;         // faces without area
+  std::size_t crowded = 0;      // edges of three faces and more
+  double step = 0.0;            // float_step, unit of the file
+};
+
+/// Counts them, in the frame of the file; drops what repeats another face.
+FileFlaws find_file_flaws(Mesh& mesh, const Welded& welded);
+
+/// Says them; `metres`: of one file unit.
+void note_file_flaws(const FileFlaws& flaws, double metres, std::vector<Finding>& findings);
 
 /// Says when points lie too far apart, or scatter too much, for the edges of cloth.
 void note_sampling(const Scan& scan, std::vector<Finding>& findings);

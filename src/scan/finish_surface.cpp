@@ -201,12 +201,17 @@ Finished finish_mesh(const RawSurface& raw, Scan& scan) {
          counted(turned, "triangle faces", "triangles face") + " the other way than the rest",
          "They were turned to face outward", ""});
   }
-  const Chosen chosen = choose(raw.welded.positions, raw.stray);
-  measure_sampling(chosen, PointTree(chosen.points), scan.facts);
+  measure_sampling(raw.welded.positions, raw.stray, scan.facts);
   return {mesh_normals(raw.welded.positions, triangles), raw.stray};
 }
 
 }  // namespace
+
+void measure_sampling(std::span<const Vec3> positions, std::span<const std::uint8_t> stray,
+                      ScanFacts& facts) {
+  const Chosen chosen = choose(positions, stray);
+  measure_sampling(chosen, PointTree(chosen.points), facts);
+}
 
 void finish_surface(const RawSurface& raw, Scan& scan) {
   const Finished finished = scan.mesh.is_cloud() ? finish_cloud(raw, scan) : finish_mesh(raw, scan);

@@ -20,4 +20,8 @@ struct RawSurface {
 /// triangles and (turned along) normals.
 void finish_surface(const RawSurface& raw, Scan& scan);
 
+/// Measures spacing and noise of all positions that are not `stray`, m.
+void measure_sampling(std::span<const Vec3> positions, std::span<const std::uint8_t> stray,
+                      ScanFacts& facts);
+
 }  // namespace regarment

@@ -14,6 +14,7 @@
 #include "scan/find_units.h"
 #include "scan/find_up.h"
 #include "scan/finish_surface.h"
+#include "scan/made_scan.h"
 #include "scan/separate_body.h"
 #include "scan/surroundings.h"
 #include "scan/weld.h"
@@ -188,7 +189,7 @@ std::vector<std::uint8_t> stray_positions(const SeparatedBody& separated) {
 void put_on_floor(std::span<const Triangle> triangles, const SeparatedBody& separated,
                   std::span<const std::uint8_t> stray, BodyFrame& frame,
                   std::vector<Vec3>& positions, ScanFacts& facts) {
-  const std::optional<double> sheet = sheet_floor(separated, frame);
+  const std::optional<double> sheet = sheet_floor(separated.sheets, frame);
   for (Vec3& p : positions) p = frame.from_file(p);
   const Reach reach = find_reach(positions, triangles, stray);
   const double floor = sheet.value_or(reach.floor);
@@ -198,48 +199,52 @@ void put_on_floor(std::span<const Triangle> triangles, const SeparatedBody& sepa
 }
 
 /// Gives the vertices their places in the body frame; those without any go to the origin.
-void move_vertices(const Welded& welded, const BodyFrame& frame, Mesh& mesh, ScanFacts& facts) {
-  std::size_t nowhere = 0;
+void move_vertices(const Welded& welded, const BodyFrame& frame, Mesh& mesh) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const std::uint32_t at = welded.of_vertex[v];
-    nowhere += at == Welded::kNone ? 1 : 0;
     mesh.positions[v] = at == Welded::kNone ? Vec3(Vec3::Zero()) : welded.positions[at];
   }
   for (Vec3& n : mesh.normals) n = (frame.turn * n).eval();
-  if (nowhere == 0) return;
-  facts.findings.push_back(
-      {"not_a_number", Severity::Advice,
-       counted(nowhere, "vertex has a coordinate", "vertices have coordinates") +
-           " that are no numbers",
-       "Left out of everything; the person's label", "Export the scan again"});
 }
 
 }  // namespace
 
-Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
-  options.check();
-  Scan scan;
+MadeScan make_scan_itself(Mesh mesh_in_file_frame, Welded welded, const ScanOptions& options) {
+  MadeScan made;
+  Scan& scan = made.scan;
   scan.mesh = std::move(mesh_in_file_frame);
-  check_triangles(scan.mesh);
-  Welded welded = weld(scan.mesh.positions);
   check_enough(welded, scan.mesh.is_cloud());
-  const std::size_t repeated = drop_repeated(scan.mesh.triangles, welded);
   const std::vector<Triangle> triangles = weld_triangles(scan.mesh.triangles, welded);
   const SeparatedBody separated = separate_body(welded.positions, triangles);
   const BodySample& sample = separated.sample;
   check_size(sample.points);
 
   BodyFrame frame = find_frame(sample, options, scan.facts);
-  note_file_flaws(scan.mesh, welded, repeated, frame.metres, scan.facts.findings);
   RawSurface raw{welded, stray_positions(separated), {}, sample.cell * frame.metres};
   put_on_floor(triangles, separated, raw.stray, frame, welded.positions, scan.facts);
   for (const Vec3& p : sample.points) raw.sample.push_back(frame.from_file(p));
-  move_vertices(welded, frame, scan.mesh, scan.facts);
+  move_vertices(welded, frame, scan.mesh);
   scan.file_from_body = frame.to_file();
   finish_surface(raw, scan);
-  note_surroundings(separated, welded, scan);
+  made.belongs = belongs_of_vertices(separated, welded);
+  made.sheets = separated.sheets;
+  return made;
+}
+
+Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
+  options.check();
+  check_triangles(mesh_in_file_frame);
+  Welded welded = weld(mesh_in_file_frame.positions);
+  const FileFlaws flaws = find_file_flaws(mesh_in_file_frame, welded);
+  MadeScan made = mesh_in_file_frame.positions.size() > options.most_vertices
+                      ? make_scan_by_thinning(std::move(mesh_in_file_frame), options)
+                      : make_scan_itself(std::move(mesh_in_file_frame), std::move(welded), options);
+  Scan& scan = made.scan;
+  const double metres = 1 / scan.file_from_body.linear().col(0).norm();
+  note_file_flaws(flaws, metres, scan.facts.findings);
+  note_surroundings(made.belongs, made.sheets, scan);
   note_sampling(scan, scan.facts.findings);
-  return scan;
+  return std::move(scan);
 }
 
 }  // namespace regarment

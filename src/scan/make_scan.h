@@ -12,6 +12,10 @@ struct ScanOptions {
   std::string up = "auto";     // "auto" or a signed file axis, "+x" ... "-z": where the head is
   std::string front = "auto";  // the same: where the person faces; perpendicular to `up`
 
+  // Scans of more vertices are worked on through a thinner copy (Scan::thin) of half as many.
+  // Larger sees finer edges, where the scanner did, and costs time.
+  std::size_t most_vertices = 400'000;
+
   /// Throws UsageError naming the option, its value and what it may be.
   void check() const;
 };

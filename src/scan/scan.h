@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct ScanFacts {
   std::vector<Finding> findings;  // what was noticed, in the order it was looked for
 };
 
+struct ThinScan;
+
 /// A scan of a person in the body frame: metres, +y up, +z where the person faces, +x to the
 /// person's left, floor at y = 0, the body's centre of area over the origin.
 /// Vertices keep the file's order. All vectors have one entry per vertex of the file.
@@ -34,6 +37,16 @@ struct Scan {
   Mesh mesh;                          // normals are filled in for all, outward, unit
   std::vector<std::uint8_t> outlier;  // 1: far from any surface, kept out of every measurement
   Eigen::Affine3d file_from_body;     // rotation, uniform scale and shift back to the file's frame
+  std::shared_ptr<const ThinScan> thin;  // what is worked on; null: the scan itself
+};
+
+/// A copy of a scan with very many vertices that has fewer, in the same body frame.
+struct ThinScan {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  Scan scan;
+  std::vector<std::uint32_t> of_vertex;  // which of its vertices stands for each of the whole
+                                         // scan's; kNone for one that is not finite
 };
 
 }  // namespace regarment

@@ -24,19 +24,19 @@ std::string vertices(std::size_t count, std::size_t of) {
 }
 
 /// What the sheets are called, by which way they face.
-const char* sheet_words(const SeparatedBody& separated, const Eigen::Matrix3d& turn) {
+const char* sheet_words(std::span<const OuterSheet> sheets, const Eigen::Matrix3d& turn) {
   std::size_t floors = 0;
-  for (const OuterSheet& sheet : separated.sheets) floors += up_part(sheet, turn) > kLevel ? 1 : 0;
-  if (floors == separated.sheets.size()) return "A floor is";
+  for (const OuterSheet& sheet : sheets) floors += up_part(sheet, turn) > kLevel ? 1 : 0;
+  if (floors == sheets.size()) return "A floor is";
   return floors > 0 ? "A floor and a wall are" : "A wall is";
 }
 
 }  // namespace
 
-std::optional<double> sheet_floor(const SeparatedBody& separated, const BodyFrame& frame) {
+std::optional<double> sheet_floor(std::span<const OuterSheet> sheets, const BodyFrame& frame) {
   std::optional<double> floor;
   double most = kLevel;
-  for (const OuterSheet& sheet : separated.sheets) {
+  for (const OuterSheet& sheet : sheets) {
     const double up = up_part(sheet, frame.turn);
     if (up <= most) continue;
     most = up;
@@ -45,19 +45,29 @@ std::optional<double> sheet_floor(const SeparatedBody& separated, const BodyFram
   return floor;
 }
 
-void note_surroundings(const SeparatedBody& separated, const Welded& welded, Scan& scan) {
-  std::array<std::size_t, 5> counts{};  // by what vertices belong to
+std::vector<Belongs> belongs_of_vertices(const SeparatedBody& separated, const Welded& welded) {
+  std::vector<Belongs> belongs(welded.of_vertex.size(), Belongs::Nowhere);
+  for (std::size_t v = 0; v < belongs.size(); ++v) {
+    const std::uint32_t at = welded.of_vertex[v];
+    if (at != Welded::kNone) belongs[v] = separated.belongs[at];
+  }
+  return belongs;
+}
+
+void note_surroundings(std::span<const Belongs> belongs, std::span<const OuterSheet> sheets,
+                       Scan& scan) {
+  std::array<std::size_t, 6> counts{};  // by what vertices belong to
   const std::size_t all = scan.outlier.size();
   for (std::size_t v = 0; v < all; ++v) {
-    const std::uint32_t at = welded.of_vertex[v];
-    if (at == Welded::kNone || scan.outlier[v] == 0) continue;
-    const Belongs belongs = separated.belongs[at];
-    ++counts[static_cast<std::size_t>(belongs == Belongs::Body ? Belongs::Stray : belongs)];
+    if (scan.outlier[v] == 0) continue;
+    // What lies lonely beside the body's surface is stray too.
+    const Belongs to = belongs[v] == Belongs::Body ? Belongs::Stray : belongs[v];
+    ++counts[static_cast<std::size_t>(to)];
   }
   const auto count = [&](Belongs what) { return counts[static_cast<std::size_t>(what)]; };
   if (const std::size_t n = count(Belongs::Sheet); n > 0) {
     const Eigen::Matrix3d turn = scan.file_from_body.linear().transpose().rowwise().normalized();
-    const std::string words = sheet_words(separated, turn);
+    const std::string words = sheet_words(sheets, turn);
     note(words == "A wall is" ? "wall" : "floor", Severity::Note,
          words + " in the scan (" + vertices(n, all) + ")", "", scan);
   }
