@@ -4,6 +4,7 @@
 
 #include "app/annealing_options.h"
 #include "app/evaluate_options.h"
+#include "app/synthesize_options.h"
 #include "base/error.h"
 #include "base/one_line.h"
 #include "report/version.h"
@@ -78,6 +79,17 @@ CLI::App* add_evaluate(CLI::App& app, EvaluateArguments& a) {
   return evaluate;
 }
 
+CLI::App* add_synthesize(CLI::App& app, SynthesizeArguments& a) {
+  CLI::App* synthesize =
+      app.add_subcommand("synthesize", "Make scans of dressed people with known dimensions");
+  add_synthesize_options(*synthesize, a);
+  synthesize->add_option("--seed", a.seed, "Same seed, same bytes")
+      ->check(whole_number)
+      ->capture_default_str();
+  add_speech(*synthesize, a.speech);
+  return synthesize;
+}
+
 CLI::App* add_report(CLI::App& app, ReportArguments& a) {
   CLI::App* report = app.add_subcommand("report", "Make the report of a stored result again");
   report->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
@@ -101,7 +113,7 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
-constexpr const char* kCommands = "fit, evaluate, report, render or templates";
+constexpr const char* kCommands = "fit, evaluate, synthesize, report, render or templates";
 
 // CLI11 prints an unknown command as an argument it did not expect.
 void check_command_name(int argc, const char* const* argv) {
@@ -113,7 +125,8 @@ void check_command_name(int argc, const char* const* argv) {
   if (name.starts_with("-")) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
-  for (const std::string_view known : {"fit", "evaluate", "report", "render", "templates"}) {
+  for (const std::string_view known :
+       {"fit", "evaluate", "synthesize", "report", "render", "templates"}) {
     if (name == known) return;
   }
   throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
@@ -161,6 +174,11 @@ void check(const EvaluateArguments& a) {
   check_evaluate_options(a);
 }
 
+void check(const SynthesizeArguments& a) {
+  check_value("--out", a.out);
+  for (const std::string& garment : a.garments) check_value("--garment", garment);
+}
+
 void check(const RenderArguments& a) {
   check_value("--out", a.out);
   for (const auto& mesh : a.meshes) check_value("MESH", mesh);
@@ -180,6 +198,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   check_command_name(argc, argv);
   FitArguments fit;
   EvaluateArguments evaluate;
+  SynthesizeArguments synthesize;
   ReportArguments report;
   RenderArguments render;
   TemplatesArguments templates;
@@ -189,6 +208,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.footer(kHelpFooter);
   CLI::App* fit_app = add_fit(app, fit);
   CLI::App* evaluate_app = add_evaluate(app, evaluate);
+  CLI::App* synthesize_app = add_synthesize(app, synthesize);
   CLI::App* report_app = add_report(app, report);
   CLI::App* render_app = add_render(app, render);
   add_templates(app, templates);
@@ -211,6 +231,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   if (used() == fit_app) return check(fit), fit;
   if (used() == evaluate_app) return check(evaluate), evaluate;
+  if (used() == synthesize_app) return check(synthesize), synthesize;
   if (used() == report_app) return check_value("DIR", report.folder), report;
   if (used() == render_app) return check(render), render;
   return templates;

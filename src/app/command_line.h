@@ -54,6 +54,18 @@ struct EvaluateArguments {
   bool force = false, timing = true;
 };
 
+/// regarment synthesize --out DIR
+struct SynthesizeArguments {
+  Speech speech;
+  std::filesystem::path out;
+  bool force = false;
+  int cases = 10, first = 0;
+  std::uint64_t seed = 1;
+  int threads = 0;                    // 0: as many as the machine has
+  std::vector<std::string> garments;  // outermost first; empty: all outfits
+  std::string kind = "all";
+};
+
 /// regarment report DIR
 struct ReportArguments {
   Speech speech;
@@ -79,8 +91,8 @@ struct TextAnswer {
   std::string text;
 };
 
-using Command = std::variant<FitArguments, EvaluateArguments, ReportArguments, RenderArguments,
-                             TemplatesArguments, TextAnswer>;
+using Command = std::variant<FitArguments, EvaluateArguments, SynthesizeArguments, ReportArguments,
+                             RenderArguments, TemplatesArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

@@ -16,6 +16,9 @@ void run_fit(const FitArguments& arguments, Console& console);
 /// no result and no gate speaks of failures; both once everything is written.
 void run_evaluate(const EvaluateArguments& arguments, Console& console);
 
+/// Makes dressed people with known dimensions, scanned, into a folder. Says its ground-truth table.
+void run_synthesize(const SynthesizeArguments& arguments, Console& console);
+
 /// Makes report.html of a stored result again. Says its path.
 void run_report(const ReportArguments& arguments, Console& console);
 

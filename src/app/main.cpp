@@ -34,6 +34,10 @@ struct Run {
     Console console(arguments.speech, stop);
     run_evaluate(arguments, console);
   }
+  void operator()(const SynthesizeArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_synthesize(arguments, console);
+  }
   void operator()(const ReportArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_report(arguments, console);

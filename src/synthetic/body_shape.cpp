@@ -85,7 +85,7 @@ void BodyShape::check() const {
   check_range("shoulders", shoulders, -0.02, 0.03);
   check_range("asymmetry", asymmetry, -0.4, 0.4);
   for (const double angle : arm_angle) check_range("arm_angle", angle, 0.1, kMostArmAngle);
-  check_range("arms_back", arms_back, -0.1, 0.4);
+  check_range("arms_back", arms_back, -0.1, 0.5);
   check_range("legs", legs, -0.1, 0.06);
   check_range("twist", twist, -0.2, 0.2);
   check_range("lean", lean, -0.08, 0.08);

@@ -23,7 +23,7 @@ struct BodyShape {
   // Left, right: angle between arm and the vertical, 0.1 .. 1.1 rad. The arms of the library hang
   // at about 0.7; below 0.35 they come near the hips, see arm_clearance().
   std::array<double, 2> arm_angle = {0.7, 0.7};
-  double arms_back = 0;  // rad, the arms, which reach forward by 0.5, further back, -0.1 .. 0.4
+  double arms_back = 0;  // rad, the arms, which reach forward by 0.5, further back, -0.1 .. 0.5
   double legs = 0;       // rad, each leg further out, -0.1 .. 0.06; below 0 they come together
   double twist = 0;      // rad, the shoulders to the left against the hips, -0.2 .. 0.2
   double lean = 0;       // rad, of the upper body to the left, -0.08 .. 0.08

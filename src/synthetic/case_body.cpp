@@ -1,5 +1,6 @@
 #include "synthetic/case_body.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -65,6 +66,24 @@ BodyShape sample_body(Outfit outfit, CaseDice& dice) {
   sample_pose(has_skirt(outfit), dice, shape);
   const bool wide = outfit == Outfit::FlaredSkirt || outfit == Outfit::OversizeTshirt;
   return with_free_arms(shape, has_skirt(outfit) || wide ? 0.08 : 0.025);
+}
+
+std::vector<Mesh> dressing_poses(Outfit outfit, const BodyShape& shape) {
+  // 28 degrees below the horizontal, as the sleeves of a flat T-shirt lie; not forward.
+  constexpr double kSideways = 1.08, kStretchedBack = 0.46, kStep = 0.15, kOutOfTheWay = 0.45;
+  const double lowest = std::min(shape.arm_angle[0], shape.arm_angle[1]);
+  if (!has_tshirt(outfit) && lowest > kOutOfTheWay) return {make_body(shape)};
+  const double way = std::max(kSideways - lowest, std::abs(kStretchedBack - shape.arms_back));
+  const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
+  std::vector<Mesh> out;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    BodyShape pose = shape;
+    for (double& angle : pose.arm_angle) angle = kSideways + share * (angle - kSideways);
+    pose.arms_back = kStretchedBack + share * (shape.arms_back - kStretchedBack);
+    out.push_back(make_body(pose));
+  }
+  return out;
 }
 
 }  // namespace regarment
