@@ -33,7 +33,7 @@ SheetElement make_element(const Pattern& pattern, std::size_t index, double band
     out.corner[k] = static_cast<std::uint32_t>(pattern.particle[t[k]]);
     depth += pattern.flat[t[k]].y() / 3;
   }
-  out.layers = depth < band ? 2.0 : 1.0;
+  out.layers = band > 0 && depth < band ? 2.0 : 1.0;
   return out;
 }
 
@@ -84,7 +84,8 @@ BendingMatrix make_bending(const std::map<EdgeKey, std::vector<Wing>>& wings, st
                                      -a.cot_low - a.cot_high, -b.cot_low - b.cot_high};
     // Two sheets sewn flat on each other bend as one of twice the thickness.
     const double layers = std::min(a.layers, b.layers);
-    const double factor = 3 * stiffness * layers * layers * layers / (a.area + b.area);
+    // Scaled so that an even mesh rolled on a cylinder has the energy of a plate, whichever way.
+    const double factor = stiffness * layers * layers * layers / (a.area + b.area);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) rows[at[i]][at[j]] += factor * k[i] * k[j];
   }
