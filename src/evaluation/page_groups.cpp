@@ -61,7 +61,7 @@ void show_groups(const Evaluation& evaluation, Gaps& page) {
   std::vector<Gaps> tables;
   const auto add = [&](const std::string& by, const std::string& title) {
     std::vector<Gaps> rows = rows_by(evaluation, by);
-    if (rows.empty()) return;
+    if (rows.empty() || (by == "damage" && rows.size() == 1)) return;
     Gaps table;
     table.set("by", by);
     table.set("table_title", title);
@@ -69,7 +69,7 @@ void show_groups(const Evaluation& evaluation, Gaps& page) {
     tables.push_back(std::move(table));
   };
   add("template", "Garment");
-  add("layer", "Layer, 1 is outermost");
+  add("layer", "Layer");
   add("kind", "Kind of scan");
   add("damage", "Damage");
   page.set("group_tables", std::move(tables));

@@ -25,6 +25,12 @@ std::string dimension_name(const EvaluatedScan& scan, const TrueDimension& d) {
   return out;
 }
 
+std::string remark_on(const TrueDimension& truth, const std::optional<FoundDimension>& found) {
+  const bool flagged = found && !found->observable;
+  if (truth.hidden()) return flagged ? "hidden, and said so" : "hidden, not said";
+  return flagged ? "wrongly said hidden" : "";
+}
+
 Gaps dimension_row(const EvaluatedScan& scan, std::size_t d) {
   const TrueDimension& truth = scan.about.dimensions[d];
   const auto& found = scan.found[d];
@@ -32,12 +38,12 @@ Gaps dimension_row(const EvaluatedScan& scan, std::size_t d) {
   row.set("name", dimension_name(scan, truth));
   row.set("truth", fixed_text(truth.truth_cm, 1));
   row.set("estimate", figure_text(found ? std::optional(found->value_cm) : std::nullopt, 1));
-  row.set("interval", found && found->low_cm
-                          ? fixed_text(*found->low_cm, 1) + " – " + fixed_text(*found->high_cm, 1)
-                          : "–");
+  row.set("interval", found && found->low_cm ? fixed_text(*found->low_cm, 1) + "\u2009–\u2009" +
+                                                   fixed_text(*found->high_cm, 1)
+                                             : "–");
   row.set("error", found ? signed_text(found->value_cm - truth.truth_cm, 1) : "–");
   row.set("hidden", truth.hidden());
-  row.set("flagged", found && !found->observable);
+  row.set_maybe("remark", remark_on(truth, found));
   return row;
 }
 
