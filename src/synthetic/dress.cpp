@@ -25,12 +25,12 @@ constexpr double kFalling = 0.6;           // s it falls before the next is put 
 constexpr double kMoving = 1.2;            // s the body takes through its poses
 constexpr double kSettling = 0.8;          // s of coarse cloth after that
 constexpr double kFolding = 0.4;           // s of fine cloth
-constexpr double kCoarseStep = 1.0 / 700;  // s
-constexpr double kFineStep = 1.0 / 1500;   // s
+constexpr double kCoarseStep = 1.0 / 500;  // s
+constexpr double kFineStep = 1.0 / 1000;   // s
 constexpr double kRestSpeed = 0.01;        // m/s, of the 99th percentile: cloth at rest
 constexpr double kRestMedian = 0.002;      // m/s, of half of it
 constexpr double kLeastRest = 0.5;         // s tension takes to even out
-constexpr double kRebuildEvery = 0.02;     // s, nearest points of what moves are good for
+constexpr double kRebuildEvery = 0.04;     // s, nearest points of what moves are good for
 
 /// Particles of the upper edge of a garment that hangs from the waist; none of one with sleeves.
 std::vector<std::uint32_t> top_edge(const Pattern& pattern) {
