@@ -56,6 +56,29 @@ void sample_pose(bool skirt, CaseDice& dice, BodyShape& shape) {
   shape.sway = dice.about(0, 0.007);
 }
 
+// Upright, arms sideways and 28 degrees below the horizontal, as the sleeves of a flat T-shirt lie.
+BodyShape stretched(BodyShape shape) {
+  shape.arm_angle = {1.08, 1.08};
+  shape.arms_back = 0.46;
+  shape.twist = shape.lean = shape.stoop = shape.tilt = shape.sway = 0;
+  return shape;
+}
+
+BodyShape between(const BodyShape& from, const BodyShape& to, double share) {
+  const auto mix = [&](double a, double b) { return a + share * (b - a); };
+  BodyShape out = to;
+  for (std::size_t side = 0; side < 2; ++side) {
+    out.arm_angle[side] = mix(from.arm_angle[side], to.arm_angle[side]);
+  }
+  out.arms_back = mix(from.arms_back, to.arms_back);
+  out.twist = mix(from.twist, to.twist);
+  out.lean = mix(from.lean, to.lean);
+  out.stoop = mix(from.stoop, to.stoop);
+  out.tilt = mix(from.tilt, to.tilt);
+  out.sway = mix(from.sway, to.sway);
+  return out;
+}
+
 }  // namespace
 
 BodyShape sample_body(Outfit outfit, CaseDice& dice) {
@@ -69,20 +92,17 @@ BodyShape sample_body(Outfit outfit, CaseDice& dice) {
 }
 
 std::vector<Mesh> dressing_poses(Outfit outfit, const BodyShape& shape) {
-  // 28 degrees below the horizontal, as the sleeves of a flat T-shirt lie; not forward.
-  constexpr double kSideways = 1.08, kStretchedBack = 0.46, kStep = 0.15, kOutOfTheWay = 0.45;
+  constexpr double kStep = 0.15, kOutOfTheWay = 0.45;
   const double lowest = std::min(shape.arm_angle[0], shape.arm_angle[1]);
   if (!has_tshirt(outfit) && lowest > kOutOfTheWay) return {make_body(shape)};
-  const double way = std::max(kSideways - lowest, std::abs(kStretchedBack - shape.arms_back));
+  const BodyShape first = stretched(shape);
+  const double way = std::max(first.arm_angle[0] - lowest, first.arms_back - shape.arms_back);
   const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
   std::vector<Mesh> out;
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    BodyShape pose = shape;
-    for (double& angle : pose.arm_angle) angle = kSideways + share * (angle - kSideways);
-    pose.arms_back = kStretchedBack + share * (shape.arms_back - kStretchedBack);
-    out.push_back(make_body(pose));
+  for (int i = 0; i < steps; ++i) {
+    out.push_back(make_body(between(first, shape, static_cast<double>(i) / steps)));
   }
+  out.push_back(make_body(shape));
   return out;
 }
 

@@ -13,9 +13,9 @@ namespace regarment {
 /// hips, further under a skirt.
 BodyShape sample_body(Outfit outfit, CaseDice& dice);
 
-/// The body as it moves while it is dressed, see dress_person: from arms stretched sideways to the
-/// shape's own, in steps of at most 0.15 rad. Only the last pose when the arms are out of the way
-/// of what is put on: of a skirt, unless they hang low.
+/// The body as it moves while it is dressed, see dress_person: from standing upright with the arms
+/// stretched sideways to the shape's own pose, the arms in steps of at most 0.15 rad. Only the last
+/// pose when the arms are out of the way of what is put on: of a skirt, unless they hang low.
 std::vector<Mesh> dressing_poses(Outfit outfit, const BodyShape& shape);
 
 }  // namespace regarment

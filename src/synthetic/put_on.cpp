@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/error.h"
@@ -9,12 +10,14 @@
 namespace regarment {
 namespace {
 
-constexpr double kRow = 0.01;       // m, height of a row and width of a column
-constexpr double kReach = 0.015;    // m above and below a row that count with it
-constexpr double kGap = 0.04;       // m without surface that end the trunk, going outwards
-constexpr double kNeck = 0.095;     // m from the middle, further in a garment does not lie on top
-constexpr double kBelowArm = 0.08;  // m below the underarm the arms are clear of the trunk
-constexpr double kPace = 0.012;     // m between points taken from a surface
+constexpr double kRow = 0.01;        // m, height of a row and width of a column
+constexpr double kReach = 0.015;     // m above and below a row that count with it
+constexpr double kGap = 0.04;        // m without surface that end the trunk, going outwards
+constexpr double kNeck = 0.095;      // m from the middle, further in a garment does not lie on top
+constexpr double kShoulder = 0.135;  // m from the middle, further out there is no head
+constexpr double kRise = 0.06;       // m the shoulder rises from there to the neck at most
+constexpr double kBelowArm = 0.08;   // m below the underarm the arms are clear of the trunk
+constexpr double kPace = 0.012;      // m between points taken from a surface
 
 int bin(double value) { return static_cast<int>(std::floor(value / kRow)); }
 
@@ -93,10 +96,18 @@ class Outlines {
     if (above == rows_.end()) return rows_.empty() ? nullptr : &rows_.rbegin()->second;
     return &above->second;
   }
-  /// Greatest height at x, or nothing there: -1.
+  /// Greatest height at x, or nothing there: -1. The head, which may be wider than a neckline, does
+  /// not count: a garment is put on behind and before it.
   double top(double x) const {
-    const auto it = top_.find(bin(x));
-    return it == top_.end() ? -1.0 : it->second;
+    const auto it = heights_.find(bin(x));
+    if (it == heights_.end()) return -1.0;
+    const double side = std::copysign(kShoulder, x);
+    const double most =
+        std::abs(x) < kShoulder ? top(side) + kRise : std::numeric_limits<double>::infinity();
+    double highest = -1.0;
+    for (const double y : it->second)
+      if (y <= most) highest = std::max(highest, y);
+    return highest;
   }
 
  private:
@@ -109,11 +120,10 @@ class Outlines {
   void add(const Vec3& p) {
     for (int k = bin(p.y() - kReach); k <= bin(p.y() + kReach); ++k)
       rows_[k].points.emplace_back(p.x(), p.z());
-    const auto [it, fresh] = top_.try_emplace(bin(p.x()), p.y());
-    if (!fresh) it->second = std::max(it->second, p.y());
+    heights_[bin(p.x())].push_back(p.y());
   }
   std::map<int, Row> rows_;
-  std::map<int, double> top_;
+  std::map<int, std::vector<double>> heights_;  // by column
 };
 
 bool has_sleeves(const Pattern& pattern) {
