@@ -36,9 +36,10 @@ Baseline parse_baseline(const std::string& text, const std::string& name) {
   out.file = name;
   for (const Json& group : json.at("statistics")) {
     const std::string key = group.at("key").get<std::string>();
+    const std::string prefix = key.empty() ? "" : key + ".";
     for (const auto& [statistic, value] : group.at("values").items()) {
       if (!value.is_number()) continue;
-      out.statistics[key.empty() ? statistic : key + "." + statistic] = value.get<double>();
+      out.statistics[prefix + statistic] = value.get<double>();
     }
   }
   for (const Json& scan : json.at("scans")) {

@@ -48,6 +48,7 @@ class Child {
   Child(std::size_t index, const std::vector<std::string>& command, Clock::duration timeout)
       : index_(index), start_(Clock::now()), deadline_(start_ + timeout) {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     std::array<int, 2> ends{};

@@ -139,8 +139,12 @@ void draw_worst(Evaluation& evaluation, const fs::path& fits, const Progress& pr
     const EvaluatedScan& scan = evaluation.scans[worst[k]];
     progress.report("draw", static_cast<double>(k) / static_cast<double>(worst.size()));
     if (!scan.labels) continue;
-    DrawnConfusion drawn = draw_confusion(scan.about, fits / scan.about.name);
-    evaluation.pictures.push_back({worst[k], std::move(drawn.webp), drawn.width, drawn.height});
+    try {
+      DrawnConfusion drawn = draw_confusion(scan.about, fits / scan.about.name);
+      evaluation.pictures.push_back({worst[k], std::move(drawn.webp), drawn.width, drawn.height});
+    } catch (const NoPersonError&) {
+      // Standing only by its own options, such as --front; the page goes without this picture.
+    }
   }
   progress.report("draw", 1);
 }

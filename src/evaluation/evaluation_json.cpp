@@ -1,6 +1,5 @@
 #include "evaluation/evaluation_json.h"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -90,13 +89,16 @@ Json scan_json(const EvaluatedScan& scan) {
 }
 
 Json baseline_json(const BaselineComparison& baseline) {
-  constexpr std::array<const char*, 3> kVerdicts = {"worse", "same", "better"};
+  const auto word = [](int verdict) {
+    if (verdict == 0) return "same";
+    return verdict > 0 ? "better" : "worse";
+  };
   Json statistics = Json::array(), scans = Json::array();
   for (const StatisticChange& change : baseline.statistics) {
     statistics.push_back({{"name", change.name},
                           {"before", number(change.before)},
                           {"now", number(change.now)},
-                          {"verdict", kVerdicts.at(static_cast<std::size_t>(change.verdict + 1))}});
+                          {"verdict", word(change.verdict)}});
   }
   for (const ScanChange& change : baseline.scans) {
     scans.push_back({{"name", change.name},

@@ -24,12 +24,20 @@ std::string path_argument(const fs::path& path) {
   return text.starts_with("-") ? "./" + text : text;
 }
 
+// A word that names a file, such as a placement or a template, stands for the file's bytes.
+void add_word(const char* what, const std::string& word, std::string& key) {
+  key.append(what).append(" ").append(word);
+  std::error_code ignored;
+  if (fs::is_regular_file(word, ignored)) key.append(" ").append(file_sha256(word));
+  key += "\n";
+}
+
 std::string key_of(const EvaluationCase& one, const FitJobOptions& options,
                    const std::string& program_sha256) {
   std::string key = "regarment " + version() + " " + program_sha256 + "\n";
-  for (const std::string& garment : one.garments) key += "garment " + garment + "\n";
-  for (const std::string& word : options.options) key += "option " + word + "\n";
-  for (const std::string& word : one.options) key += "option of its own " + word + "\n";
+  for (const std::string& garment : one.garments) add_word("garment", garment, key);
+  for (const std::string& word : options.options) add_word("option", word, key);
+  for (const std::string& word : one.options) add_word("option of its own", word, key);
   if (!options.timing) key += "no timing\n";
   key += one.truth_rows;
   if (one.labels) key += "labels " + file_sha256(*one.labels) + "\n";

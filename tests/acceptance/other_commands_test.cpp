@@ -17,13 +17,13 @@ TEST(Help, NamesTheCommandsAndTheExitStatus) {
   const ProgramRun run = run_program({"--help"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* word : {"fit", "report", "render", "templates", "Exit status"}) {
+  for (const char* word : {"fit", "evaluate", "report", "render", "templates", "Exit status"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word;
   }
 }
 
 TEST(Help, EachCommandHasItsOwn) {
-  for (const std::string command : {"fit", "report", "render", "templates"}) {
+  for (const std::string command : {"fit", "evaluate", "report", "render", "templates"}) {
     const ProgramRun run = run_program({command, "--help"});
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.out.find("--json"), std::string::npos) << run.out;

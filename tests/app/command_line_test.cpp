@@ -112,6 +112,45 @@ TEST(CommandLine, RefusesNumbersThatAnnealingCannotUse) {
         << option << " " << value;
 }
 
+TEST(CommandLine, ReadsAnEvaluation) {
+  const auto a = std::get<EvaluateArguments>(
+      parse({"evaluate",   "t.csv",  "--out",   "o",          "--scans",   "s",
+             "--only",     "skirt*", "--gate",  "mae_cm<=1",  "--gate",    "miou>0.9",
+             "--baseline", "b.json", "--jobs",  "3",          "--threads", "2",
+             "--timeout",  "60",     "--force", "--no-timing"}));
+  EXPECT_EQ(a.table, "t.csv");
+  EXPECT_EQ(a.out, "o");
+  EXPECT_EQ(a.scans, "s");
+  EXPECT_EQ(a.only, "skirt*");
+  EXPECT_EQ(a.gates, (std::vector<std::string>{"mae_cm<=1", "miou>0.9"}));
+  EXPECT_EQ(a.baseline, "b.json");
+  EXPECT_EQ(a.jobs, 3);
+  EXPECT_EQ(a.threads, 2);
+  EXPECT_EQ(a.timeout, 60);
+  EXPECT_TRUE(a.force);
+  EXPECT_FALSE(a.timing);
+  EXPECT_TRUE(a.fit_options.empty());
+}
+
+TEST(CommandLine, AnEvaluationHandsOptionsOnToItsFits) {
+  const auto a = std::get<EvaluateArguments>(
+      parse({"evaluate", "t.csv", "--out", "o", "--args", "--collisions  --up +z", "--seed", "7",
+             "--method", "annealing", "--runs", "2", "--evaluations", "40"}));
+  const std::vector<std::string> words = {
+      "--method",      "annealing", "--seed",       "7",    "--runs", "2",
+      "--evaluations", "40",        "--collisions", "--up", "+z"};
+  EXPECT_EQ(a.fit_options, words);
+}
+
+TEST(CommandLine, EstimatesAreNotFitted) {
+  EXPECT_NO_THROW(parse({"evaluate", "t", "--out", "o", "--estimates", "e", "--gate", "n>1"}));
+  for (const char* option : {"--scans", "--only", "--seed", "--args"})
+    EXPECT_THROW(parse({"evaluate", "t", "--out", "o", "--estimates", "e", option, "1"}),
+                 UsageError)
+        << option;
+  EXPECT_THROW(parse({"evaluate", "t", "--out", "o", "--estimates", "e", "--force"}), UsageError);
+}
+
 TEST(CommandLine, ReadsTheOtherCommands) {
   EXPECT_EQ(std::get<ReportArguments>(parse({"report", "d"})).folder, "d");
   EXPECT_EQ(std::get<RenderArguments>(parse({"render", "a", "b", "--out", "o"})).meshes.size(), 2u);

@@ -71,6 +71,18 @@ TEST(FitJob, ItsKeyKnowsTheLabelsBytes) {
   EXPECT_NE(make_fit_job(scan, usual(), "ff").key, key);
 }
 
+TEST(FitJob, ItsKeyKnowsTheBytesOfFilesAmongTheOptions) {
+  const TemporaryFolder home;
+  const std::string file = home.path() / "placement.json";
+  FitJobOptions how = usual();
+  how.options = {"--placement", file};
+  std::ofstream(file) << "{}";
+  const std::string key = make_fit_job(one(), how, "ff").key;
+  EXPECT_EQ(make_fit_job(one(), how, "ff").key, key);
+  std::ofstream(file) << "{ }";
+  EXPECT_NE(make_fit_job(one(), how, "ff").key, key);
+}
+
 TEST(FitJob, IsNotFinishedWithoutAResult) {
   const TemporaryFolder home;
   FitJobOptions how = usual();
