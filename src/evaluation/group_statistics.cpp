@@ -70,6 +70,7 @@ std::vector<Member> members(const std::vector<EvaluatedScan>& scans) {
     }
   }
   std::vector<Member> list;
+  list.reserve(out.size());
   for (auto& [rank, member] : out) list.push_back(std::move(member));
   return list;
 }
@@ -132,6 +133,7 @@ std::vector<std::pair<std::string, double>> class_means(const std::vector<Evalua
     for (const auto& [name, iou] : scan.labels->class_iou) by_name[name].push_back(iou);
   }
   std::vector<std::pair<std::string, double>> out;
+  out.reserve(by_name.size());
   for (const auto& [name, values] : by_name) out.emplace_back(name, *mean(values));
   return out;
 }
