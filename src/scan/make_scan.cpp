@@ -14,6 +14,7 @@
 #include "scan/find_units.h"
 #include "scan/find_up.h"
 #include "scan/finish_surface.h"
+#include "scan/invented_surface.h"
 #include "scan/made_scan.h"
 #include "scan/separate_body.h"
 #include "scan/surroundings.h"
@@ -231,11 +232,39 @@ MadeScan make_scan_itself(Mesh mesh_in_file_frame, Welded welded, const ScanOpti
   return made;
 }
 
+namespace {
+
+/// Per vertex, where the mesh tells.
+std::vector<std::uint8_t> invented_vertices(const Mesh& mesh, const Welded& welded) {
+  std::vector<std::uint8_t> out;
+  if (mesh.is_cloud()) return out;
+  const std::vector<std::uint8_t> found =
+      find_invented(welded.positions, weld_triangles(mesh.triangles, welded));
+  for (const std::uint32_t at : welded.of_vertex)
+    out.push_back(at == Welded::kNone ? 0 : found[at]);
+  return out;
+}
+
+void note_invented(const Scan& scan, std::vector<Finding>& findings) {
+  const auto count =
+      static_cast<std::size_t>(std::count(scan.invented.begin(), scan.invented.end(), 1));
+  if (count == 0) return;
+  const double share = static_cast<double>(count) / static_cast<double>(scan.invented.size());
+  findings.push_back({"invented_surface", Severity::Note,
+                      "Part of the surface was made up where the scanner saw nothing (" +
+                          counted(count, "vertex", "vertices") + ", " + percent(share) +
+                          ", by their density)",
+                      "", ""});
+}
+
+}  // namespace
+
 Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   options.check();
   check_triangles(mesh_in_file_frame);
   Welded welded = weld(mesh_in_file_frame.positions);
   const FileFlaws flaws = find_file_flaws(mesh_in_file_frame, welded);
+  std::vector<std::uint8_t> invented = invented_vertices(mesh_in_file_frame, welded);
   MadeScan made = mesh_in_file_frame.positions.size() > options.most_vertices
                       ? make_scan_by_thinning(std::move(mesh_in_file_frame), options)
                       : make_scan_itself(std::move(mesh_in_file_frame), std::move(welded), options);
@@ -244,6 +273,11 @@ Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   note_file_flaws(flaws, metres, scan.facts.findings);
   note_surroundings(made.belongs, made.sheets, scan);
   note_sampling(scan, scan.facts.findings);
+  scan.invented = std::move(invented);
+  for (std::size_t v = 0; v < scan.invented.size(); ++v) {
+    if (scan.outlier[v] != 0) scan.invented[v] = 0;
+  }
+  note_invented(scan, scan.facts.findings);
   return std::move(scan);
 }
 

@@ -34,9 +34,11 @@ struct ThinScan;
 /// Vertices keep the file's order. All vectors have one entry per vertex of the file.
 struct Scan {
   ScanFacts facts;
-  Mesh mesh;                          // normals are filled in for all, outward, unit
-  std::vector<std::uint8_t> outlier;  // 1: far from any surface, kept out of every measurement
-  Eigen::Affine3d file_from_body;     // rotation, uniform scale and shift back to the file's frame
+  Mesh mesh;                           // normals are filled in for all, outward, unit
+  std::vector<std::uint8_t> outlier;   // 1: far from any surface, kept out of every measurement
+  std::vector<std::uint8_t> invented;  // 1: made up by a reconstruction where there was no data, as
+                                       // far as the density tells; empty: nothing known
+  Eigen::Affine3d file_from_body;      // rotation, uniform scale and shift back to the file's frame
   std::shared_ptr<const ThinScan> thin;  // what is worked on; null: the scan itself
 };
 
