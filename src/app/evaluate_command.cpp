@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 void check_fit_command(const std::vector<std::string>& command,
                        const std::vector<std::string>& garments) {
   std::vector<const char*> words;
+  words.reserve(command.size());
   for (const std::string& word : command) words.push_back(word.c_str());
   const Command parsed = parse_command_line(static_cast<int>(words.size()), words.data());
   const auto* fit = std::get_if<FitArguments>(&parsed);
