@@ -200,7 +200,7 @@ class Sensing {
         products += p * p.transpose();
         ++count;
       }
-    const Vec3 towards = (believed_.eye - here).normalized();
+    Vec3 towards = (believed_.eye - here).normalized();
     if (count < 6) return towards;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(products - sum * sum.transpose() / count);

@@ -29,7 +29,7 @@ class SurfaceNet {
   }
 
  private:
-  float at(int x, int y, int z) const { return field_.value[field_.index(x, y, z)]; }
+  double at(int x, int y, int z) const { return double{field_.value[field_.index(x, y, z)]}; }
   std::size_t slot(int x, int y) const { return std::size_t(y) * field_.size[0] + x; }
 
   // Middle of the crossings of the cell whose lowest node is (x, y, z).

@@ -82,8 +82,9 @@ TEST(DepthCamera, PictureIsThatOfEveryRayByBruteForce) {
       std::uint32_t which = DepthPicture::kNone;
       bool sure = true;
       for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
-        const auto hit = cross(camera.eye, beyond, soup.positions[3 * t], soup.positions[3 * t + 1],
-                               soup.positions[3 * t + 2]);
+        const auto& [a, b, c] = soup.triangles[t];
+        const auto hit =
+            cross(camera.eye, beyond, soup.positions[a], soup.positions[b], soup.positions[c]);
         if (!hit) continue;
         sure = sure && hit->sure;
         if (hit->share < nearest) nearest = hit->share, which = t;
