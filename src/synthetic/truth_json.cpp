@@ -171,7 +171,8 @@ std::string truth_csv_rows(const CaseTruth& truth) {
   std::string out;
   int layer = 1;
   for (const GarmentTruth& garment : truth.garments) {
-    for (const Dimension& dimension : find_template(garment.template_name).dimensions()) {
+    const GarmentTemplate kind = find_template(garment.template_name);
+    for (const Dimension& dimension : kind.dimensions()) {
       const std::string& name = dimension.name;
       const bool hidden =
           std::find(garment.hidden.begin(), garment.hidden.end(), name) != garment.hidden.end();
