@@ -203,7 +203,7 @@ void Wardrobe::settle() {
   for (Worn& worn : worn_) worn.rest();
   rest_.air = 10;
   const double begin = simulated_;
-  while (simulated_ < options_.longest && !rested_) {
+  while (simulated_ - begin < options_.longest && !rested_) {
     step();
     rested_ =
         simulated_ - begin > kLeastRest &&
@@ -248,7 +248,7 @@ void DressOptions::check() const {
                          ", it must be " + std::to_string(low) + " to " + std::to_string(high));
   };
   range("edge_length", edge_length, 0.006, 0.04);
-  range("longest", longest, 1.0, 60.0);
+  range("longest", longest, 0.5, 60.0);
   range("slip", slip, 0.0, 1.0);
 }
 

@@ -22,7 +22,7 @@ struct DressOptions {
   // m, edge of the cloth's triangles at rest, 0.006 .. 0.04. Smaller shows finer folds; time grows
   // with its inverse cube.
   double edge_length = 0.012;
-  double longest = 5.0;  // s of simulated time, after which cloth has to rest
+  double longest = 2.5;  // s of simulated time fine cloth is given to come to rest
   double slip = 0.08;    // m a top edge may move from where it was put on before it counts as lost
 
   void check() const;  // throws InvalidInput naming the field and its value
