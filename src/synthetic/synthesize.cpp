@@ -130,8 +130,10 @@ Synthesis synthesize(const SynthesizeOptions& options,
                      const Progress& progress) {
   options.check();
   Workshop workshop(options, take);
+  const int count = std::min(options.threads, options.cases);
   std::vector<std::thread> threads;
-  for (int i = 0; i < std::min(options.threads, options.cases); ++i) {
+  threads.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
     threads.emplace_back([&] { workshop.work(); });
   }
   workshop.watch(progress);
