@@ -100,12 +100,7 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   out.layer = layer;
   const Dimensions start = garment.typical();
   out.pattern = make_pattern(garment, start, stage.options.pattern_edge_length);
-  const GarmentEdges edges = edges_on(stage, out.pattern, garment, layer);
-  const GarmentRegion region(edges, stage.body);
-  const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
-  const std::vector<ObservedLength> observed =
-      observe(stage.samples, stage.body, edges, cloth, garment);
-  check_lengths(garment, observed);
+  const auto [edges, cloth, observed] = look_for(garment, out.pattern, layer, stage);
   const std::vector<std::uint8_t> caps =
       stage.options.cap_detection ? find_caps(scan, edges) : std::vector<std::uint8_t>{};
   out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));

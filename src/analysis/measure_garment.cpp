@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "analysis/stage.h"
-#include "base/error.h"
+#include "measure/garment_region.h"
 #include "measure/lay_on_scan.h"
 #include "measure/observe.h"
 #include "segmentation/caps.h"
@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
 constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
-constexpr double kLeastLength = 0.5;     // of the template's shortest: two edges nearer are one
 
 /// Is this length a tight one, worn longer than flat? Waists, hips and whatever is measured below a
 /// waist.
@@ -48,29 +47,13 @@ Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
 
 }  // namespace
 
-void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
-  for (const ObservedLength& o : observed) {
-    if (!o.seen || o.observation->kind != Observation::Kind::Path) continue;
-    for (const Dimension& d : garment.dimensions())
-      if (d.name == o.observation->equals && o.value < kLeastLength * d.lower)
-        throw NoGarmentError("no " + garment.name() + " on this scan: its " + o.observation->edge +
-                             " and its " + o.observation->to_edge + " would lie only " +
-                             centimetres(o.value) + " apart; ask for the garment that is worn");
-  }
-}
-
 GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
                                 Stage& stage) {
   GarmentAnalysis out;
   out.template_name = garment.name();
   out.layer = layer;
   out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
-  const GarmentEdges edges = edges_on(stage, out.pattern, garment, layer);
-  const GarmentRegion region(edges, stage.body);
-  const std::vector<std::uint8_t> cloth = cloth_of(stage, region);
-  const std::vector<ObservedLength> observed =
-      observe(stage.samples, stage.body, edges, cloth, garment);
-  check_lengths(garment, observed);
+  const auto [edges, cloth, observed] = look_for(garment, out.pattern, layer, stage);
   const auto solved = solve_dimensions(garment, observed);
   for (const Dimension& d : garment.dimensions()) {
     out.measurements.push_back(measurement_of(d, solved.at(d.name), observed, edges));
@@ -85,7 +68,7 @@ GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment
     if (e.evidence != "covered") curves[e.name] = e.points;
   out.draped = lay_on_scan(out.pattern, out.placed, stage.samples, cloth, curves);
   judge_drape(stage, cloth, out);
-  label_region(scan, stage.parts, region, layer, stage.labels);
+  label_region(scan, stage.parts, GarmentRegion(edges, stage.body), layer, stage.labels);
   take(stage, cloth, find_caps(scan, edges), out);
   warn_about(garment, edges, out, stage.warnings);
   return out;

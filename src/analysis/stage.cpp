@@ -5,10 +5,16 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/error.h"
 #include "garment/springs.h"
 #include "geometry/point_tree.h"
+#include "measure/garment_region.h"
 
 namespace regarment {
+
+namespace {
+
+constexpr double kLeastLength = 0.5;  // of the template's shortest: two edges nearer are one
 
 GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentTemplate& garment,
                       int layer) {
@@ -23,6 +29,28 @@ std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& regi
     cloth[s] =
         stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
   return cloth;
+}
+
+void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
+  for (const ObservedLength& o : observed) {
+    if (!o.seen || o.observation->kind != Observation::Kind::Path) continue;
+    for (const Dimension& d : garment.dimensions())
+      if (d.name == o.observation->equals && o.value < kLeastLength * d.lower)
+        throw NoGarmentError("no " + garment.name() + " on this scan: its " + o.observation->edge +
+                             " and its " + o.observation->to_edge + " would lie only " +
+                             centimetres(o.value) + " apart; ask for the garment that is worn");
+  }
+}
+
+}  // namespace
+
+SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int layer,
+                     const Stage& stage) {
+  GarmentEdges edges = edges_on(stage, pattern, garment, layer);
+  std::vector<std::uint8_t> cloth = cloth_of(stage, GarmentRegion(edges, stage.body));
+  std::vector<ObservedLength> observed = observe(stage.samples, stage.body, edges, cloth, garment);
+  check_lengths(garment, observed);
+  return {std::move(edges), std::move(cloth), std::move(observed)};
 }
 
 PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern) {

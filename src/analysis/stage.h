@@ -6,7 +6,6 @@
 #include "analysis/analysis.h"
 #include "analysis/analyze.h"
 #include "garment/garment_template.h"
-#include "measure/garment_region.h"
 #include "measure/observe.h"
 #include "placement/place_garment.h"
 #include "segmentation/segment.h"
@@ -29,16 +28,18 @@ struct Stage {
   std::vector<std::string> warnings = {};
 };
 
-/// Edges of the garment on the scan, looked for outside of what other garments have taken.
-GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentTemplate& garment,
-                      int layer);
+/// What the scan itself shows of a garment.
+struct SeenGarment {
+  GarmentEdges edges;
+  std::vector<std::uint8_t> cloth;  // per sample: between the edges, of no garment found before
+  std::vector<ObservedLength> observed;
+};
 
-/// Per sample: 1 where it lies between the garment's edges and no other garment has it.
-std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region);
-
-/// A body's own shape may show two edges close together. Throws NoGarmentError when the edges of a
-/// garment lie nearer to each other than any garment of its kind is long.
-void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLength>& observed);
+/// Looks for a garment outside of what others have taken, and measures it. `pattern` is the
+/// garment's. Throws NoGarmentError with the evidence, also when two of its edges lie nearer to
+/// each other than any garment of its kind is long: a body's own shape may show such edges.
+SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int layer,
+                     const Stage& stage);
 
 /// Heights for the placement; an edge hidden by another garment lies as far from the opposite edge
 /// as the garment is long.

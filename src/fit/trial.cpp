@@ -2,19 +2,16 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "fit/error_terms.h"
 
 namespace regarment {
 namespace {
 
-/// One trial that slides off the scan must not end the search.
+/// One trial that slides out of the pictures must not end the search.
 double silhouette_term(std::span<const Silhouette> model, std::span<const Silhouette> garment) {
-  try {
-    return silhouette_error(model, garment);
-  } catch (const NoGarmentError&) {
-    return unseen_error(model);
-  }
+  const bool seen = std::all_of(garment.begin(), garment.end(),
+                                [](const Silhouette& side) { return side.area() > 0; });
+  return seen ? silhouette_error(model, garment) : unseen_error(model);
 }
 
 }  // namespace
