@@ -167,5 +167,20 @@ TEST(CommandLine, AGarmentTakesOneValueATime) {
   EXPECT_THROW(parse({"fit", "a", "--out", "o", "--garment", "g", "h"}), UsageError);
 }
 
+TEST(CommandLine, ReadsWhatPeopleToMake) {
+  const auto made = std::get<SynthesizeArguments>(
+      parse({"synthesize", "--out", "o", "--cases", "100", "--first", "7", "--seed", "3", "--kind",
+             "open", "--garment", "tshirt", "--garment", "skirt", "--force"}));
+  EXPECT_EQ(made.cases, 100);
+  EXPECT_EQ(made.first, 7);
+  EXPECT_EQ(made.seed, 3u);
+  EXPECT_EQ(made.kind, "open");
+  EXPECT_EQ(made.garments, (std::vector<std::string>{"tshirt", "skirt"}));
+  EXPECT_TRUE(made.force);
+  EXPECT_THROW(parse({"synthesize"}), UsageError);
+  EXPECT_THROW(parse({"synthesize", "--out", "o", "--cases", "0"}), UsageError);
+  EXPECT_THROW(parse({"synthesize", "--out", "o", "--kind", "film"}), UsageError);
+}
+
 }  // namespace
 }  // namespace regarment
