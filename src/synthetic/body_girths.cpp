@@ -1,5 +1,6 @@
 #include "synthetic/body_girths.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

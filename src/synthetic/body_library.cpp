@@ -98,7 +98,7 @@ BodyLibrary unpack_bodies(std::span<const std::byte> packed) {
   const std::size_t triangles = bytes.number<std::uint32_t>();
   constexpr std::size_t kBox = kNameBytes + 6 * sizeof(float);
   const bool fits = bodies > 0 && bodies <= kMostBodies && vertices <= 65536 && vertices > 0 &&
-                    triangles <= 2 * 65536 &&
+                    triangles <= 131072 &&
                     bytes.left() == bodies * kBox + triangles * 6 + bodies * vertices * 6;
   if (!fits) throw ReadError("packed bodies: the file's size does not agree with its counts");
   BodyLibrary out;

@@ -99,6 +99,7 @@ std::vector<Mesh> dressing_poses(Outfit outfit, const BodyShape& shape) {
   const double way = std::max(first.arm_angle[0] - lowest, first.arms_back - shape.arms_back);
   const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
   std::vector<Mesh> out;
+  out.reserve(static_cast<std::size_t>(steps) + 1);
   for (int i = 0; i < steps; ++i) {
     out.push_back(make_body(between(first, shape, static_cast<double>(i) / steps)));
   }
