@@ -1,5 +1,6 @@
 #include "synthetic/body_pose.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace regarment {
