@@ -82,7 +82,7 @@ double chest_girth(const Mesh& body, double height, double half_width) {
 }
 
 // Top of the shoulders where a neckline ends; the head is higher and not looked at.
-double neck_height(const Mesh& body, const BodyFrame& frame, double unit) {
+double neck_height(const Mesh& body, const BodyJoints& frame, double unit) {
   double out = frame.chest;
   for (const Vec3& p : body.positions) {
     const bool beside = std::abs(std::abs(p.x()) - 0.1) < 0.012;
@@ -92,7 +92,7 @@ double neck_height(const Mesh& body, const BodyFrame& frame, double unit) {
 }
 
 // The left arm alone, turned so that its own line points up and the joint lies at the origin.
-Mesh upright_arm(const Mesh& body, const BodyFrame& frame) {
+Mesh upright_arm(const Mesh& body, const BodyJoints& frame) {
   const BodyRig& rig = body_rig();
   const Vec3 line = frame.arm_along[0];
   const auto turn = Eigen::Quaterniond::FromTwoVectors(line, Vec3::UnitY());
@@ -115,7 +115,7 @@ double tape_girth(const Mesh& body, double height) {
 }
 
 BodyGirths body_girths(const Mesh& body) {
-  const BodyFrame frame = body_frame(body_rig(), body.positions);
+  const BodyJoints frame = body_joints(body_rig(), body.positions);
   BodyGirths out;
   for (const Vec3& p : body.positions) out.height = std::max(out.height, p.y());
   const double unit = out.height / 1.67;  // of the body the rig was made from

@@ -12,7 +12,7 @@ struct Bump {
   double side, front, back;  // how the amount is shared out; about 1 on average
 };
 
-std::array<Bump, 4> bumps(const BodyShape& shape, const BodyFrame& frame) {
+std::array<Bump, 4> bumps(const BodyShape& shape, const BodyJoints& frame) {
   const double leg = frame.crotch;
   return {Bump{shape.belly, frame.belly, 0.085, 0.9, 1.5, 0.4},
           Bump{shape.chest, frame.chest, 0.10, 0.9, 1.2, 0.8},
@@ -39,7 +39,7 @@ Vec3 trunk_move(const BodyShape& shape, const std::array<Bump, 4>& all, const Ve
 }
 
 // How far a shoulder moves out, fading towards the neck, the waist and the arm's own side.
-double shoulder_move(const BodyShape& shape, const BodyFrame& frame, const Vec3& p) {
+double shoulder_move(const BodyShape& shape, const BodyJoints& frame, const Vec3& p) {
   const double reach = std::abs(frame.shoulder[0].x());
   const double out = smooth_step(0.3 * reach, reach, std::abs(p.x()));
   const double up = smooth_step(frame.belly, frame.chest, p.y());
@@ -47,7 +47,7 @@ double shoulder_move(const BodyShape& shape, const BodyFrame& frame, const Vec3&
 }
 
 // An arm goes along with the trunk beside it and grows round its own line.
-Vec3 arm_move(const BodyShape& shape, const std::array<Bump, 4>& all, const BodyFrame& frame,
+Vec3 arm_move(const BodyShape& shape, const std::array<Bump, 4>& all, const BodyJoints& frame,
               std::size_t side, const Vec3& p) {
   const Vec3& joint = frame.shoulder[side];
   const Vec3& along = frame.arm_along[side];
@@ -63,7 +63,7 @@ Vec3 arm_move(const BodyShape& shape, const std::array<Bump, 4>& all, const Body
 
 }  // namespace
 
-void grow_body(const BodyShape& shape, const BodyRig& rig, const BodyFrame& frame,
+void grow_body(const BodyShape& shape, const BodyRig& rig, const BodyJoints& frame,
                std::vector<Vec3>& positions) {
   const std::array<Bump, 4> all = bumps(shape, frame);
   for (std::size_t v = 0; v < positions.size(); ++v) {

@@ -11,7 +11,7 @@ Vec3 turned(const Vec3& p, const Vec3& centre, double angle, const Vec3& axis) {
 }
 
 // Angle by which the arm has to turn about the axis that points to the front.
-double arm_turn(const BodyShape& shape, const BodyFrame& frame, std::size_t side) {
+double arm_turn(const BodyShape& shape, const BodyJoints& frame, std::size_t side) {
   const Vec3& along = frame.arm_along[side];
   const double now = std::atan2(std::abs(along.x()), -along.y());
   const double out = shape.arm_angle[side] - now;
@@ -19,7 +19,7 @@ double arm_turn(const BodyShape& shape, const BodyFrame& frame, std::size_t side
 }
 
 // The legs turn about the hips, the feet back again, so that they stay on the floor.
-Vec3 pose_leg(const BodyShape& shape, const BodyFrame& frame, const Vec3& p) {
+Vec3 pose_leg(const BodyShape& shape, const BodyJoints& frame, const Vec3& p) {
   const double sign = p.x() > 0 ? 1.0 : -1.0;
   const double leg = 1 - smooth_step(0.62 * frame.crotch, 0.99 * frame.crotch, p.y());
   if (leg == 0) return p;
@@ -31,7 +31,7 @@ Vec3 pose_leg(const BodyShape& shape, const BodyFrame& frame, const Vec3& p) {
 }
 
 // `level`: the height at which the spine carries this vertex.
-Vec3 pose_spine(const BodyShape& shape, const BodyFrame& frame, double level, const Vec3& p) {
+Vec3 pose_spine(const BodyShape& shape, const BodyJoints& frame, double level, const Vec3& p) {
   const double bent = smooth_step(frame.hip, frame.chest + 0.1, level);
   const double tilted = smooth_step(frame.belly, frame.chest + 0.1, level) *
                         (1 - 0.8 * smooth_step(frame.neck - 0.02, frame.neck + 0.08, level));
@@ -47,7 +47,7 @@ Vec3 pose_spine(const BodyShape& shape, const BodyFrame& frame, double level, co
 
 }  // namespace
 
-void pose_body(const BodyShape& shape, const BodyRig& rig, const BodyFrame& frame,
+void pose_body(const BodyShape& shape, const BodyRig& rig, const BodyJoints& frame,
                std::vector<Vec3>& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
     Vec3 p = positions[v];

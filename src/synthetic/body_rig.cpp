@@ -153,9 +153,9 @@ const BodyRig& body_rig() {
   return rig;
 }
 
-BodyFrame body_frame(const BodyRig& rig, const std::vector<Vec3>& positions) {
+BodyJoints body_joints(const BodyRig& rig, const std::vector<Vec3>& positions) {
   const auto height = [&](int v) { return positions[static_cast<std::size_t>(v)].y(); };
-  BodyFrame out;
+  BodyJoints out;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec3 upper = middle(rig.upper_arm[side], positions);
     out.arm_along[side] = (middle(rig.forearm[side], positions) - upper).normalized();

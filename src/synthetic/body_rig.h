@@ -22,14 +22,14 @@ struct BodyRig {
 const BodyRig& body_rig();  // any thread
 
 /// The parts of a body that a pose needs, m.
-struct BodyFrame {
+struct BodyJoints {
   std::array<Vec3, 2> shoulder;   // joints of the arms: left, right
   std::array<Vec3, 2> arm_along;  // unit, from the shoulder towards the hand
   double crotch = 0, hip = 0, belly = 0, chest = 0, neck = 0;  // heights above the floor
 };
 
 /// Finds them on a body: one position per vertex of the library.
-BodyFrame body_frame(const BodyRig& rig, const std::vector<Vec3>& positions);
+BodyJoints body_joints(const BodyRig& rig, const std::vector<Vec3>& positions);
 
 /// 0 below `from`, 1 above `to`, with no kink between: 3 u^2 - 2 u^3.
 double smooth_step(double from, double to, double value);

@@ -54,7 +54,7 @@ std::vector<std::uint8_t> mask_arms(const BodyRig& rig, const std::vector<Triang
 
 std::array<double, 2> clearances(const Mesh& body) {
   const BodyRig& rig = body_rig();
-  const BodyFrame frame = body_frame(rig, body.positions);
+  const BodyJoints frame = body_joints(rig, body.positions);
   const std::vector<std::uint8_t> masked = mask_arms(rig, body.triangles);
   const ClosestPoint trunk(body.positions, body.triangles, masked);
   constexpr double kUpperArm = 0.25;  // m from the joint; above it arm and trunk are neighbours
@@ -100,7 +100,7 @@ Mesh make_body(const BodyShape& shape) {
   const BodyRig& rig = body_rig();
   Mesh out;
   out.positions = blend(library, shape);
-  const BodyFrame frame = body_frame(rig, out.positions);
+  const BodyJoints frame = body_joints(rig, out.positions);
   grow_body(shape, rig, frame, out.positions);
   pose_body(shape, rig, frame, out.positions);
   stand_on_floor(shape.scale, out.positions);

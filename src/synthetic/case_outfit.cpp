@@ -6,6 +6,7 @@
 
 #include "garment/find_template.h"
 #include "synthetic/case_fabric.h"
+#include "synthetic/surface_contact.h"
 
 namespace regarment {
 namespace {
@@ -32,6 +33,11 @@ constexpr std::array<OutfitRow, 9> kOutfits = {
     OutfitRow{Outfit::TuckedTshirt, "T-shirt tucked into skirt", true, true}};
 
 const OutfitRow& row_of(Outfit outfit) { return kOutfits[static_cast<std::size_t>(outfit)]; }
+
+// How much longer than a tape on the skin the middle of cloth is that lies on it.
+double round_the_body(double thickness) {
+  return 2 * std::numbers::pi * (0.5 * thickness + kAirGap);
+}
 
 double widest(const Mesh& body, double from, double to) {
   double out = 0;
@@ -74,9 +80,8 @@ GarmentWish sample_skirt(Outfit outfit, const Mesh& body, const BodyGirths& girt
   const Fabric fabric = sample_fabric(dice.uniform(0, 1), inside > 0 ? kThickAtTwo : 0.005, dice);
   const double low = girths.hip_height + 0.45 * (girths.waist_height - girths.hip_height);
   const double top = dice.uniform(low, girths.waist_height + 0.02);
-  // Cloth has a middle, which lies off the body by half its thickness, and so has what is inside.
-  const double around = 2 * std::numbers::pi * (0.5 * fabric.thickness + inside);
-  const double ease = inside > 0 ? dice.uniform(1.0, 1.05) : dice.uniform(0.94, 1.04);
+  const double around = round_the_body(fabric.thickness) + 2 * std::numbers::pi * inside;
+  const double ease = inside > 0 ? dice.uniform(1.0, 1.05) : dice.uniform(0.96, 1.04);
   const double hip_ease = inside > 0 ? dice.uniform(0.04, 0.2) : dice.uniform(-0.02, 0.2);
   const double hip_girth = widest(body, std::max(top - kHipDepth, girths.crotch), top) + around;
   Dimensions d;
@@ -138,7 +143,8 @@ void sample_sleeves(Outfit outfit, const BodyGirths& girths, CaseDice& dice, Dim
                                                     (girths.wrist_girth - girths.upper_arm_girth);
   d["sleeve_length"] = share * arm;
   d["sleeve_seam"] = 1.15 * girths.upper_arm_girth + dice.uniform(0.06, wide ? 0.24 : 0.17);
-  double loose = outfit == Outfit::TightTshirt ? dice.uniform(1.04, 1.2) : dice.uniform(1.12, 1.55);
+  double loose =
+      outfit == Outfit::TightTshirt ? dice.uniform(1.06, 1.22) : dice.uniform(1.12, 1.55);
   if (dice.chance(0.12)) loose = dice.uniform(1.5, 2.0);  // wide cuffs
   d["sleeve_opening"] = std::min(loose * girth, 1.15 * d["sleeve_seam"]);
 }
@@ -157,7 +163,7 @@ GarmentWish sample_tshirt(Outfit outfit, const Mesh& body, const BodyGirths& gir
                           const GarmentWish* skirt, CaseDice& dice) {
   const Fabric fabric =
       sample_fabric(dice.uniform(0, skirt ? 0.7 : 1.0), skirt ? kThickAtTwo : 0.004, dice);
-  const double around = 2 * std::numbers::pi * 0.5 * fabric.thickness;
+  const double around = round_the_body(fabric.thickness);
   const Ease ease = tshirt_ease(outfit);
   const double hem = hem_height(outfit, girths, skirt ? skirt->top_height : 0, dice);
   Dimensions d;

@@ -249,7 +249,6 @@ void DressOptions::check() const {
   };
   range("edge_length", edge_length, 0.006, 0.04);
   range("longest", longest, 0.5, 60.0);
-  range("slip", slip, 0.0, 1.0);
 }
 
 Dressing dress_person(const std::vector<Mesh>& poses, const std::vector<GarmentWish>& garments,

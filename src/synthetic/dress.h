@@ -23,7 +23,6 @@ struct DressOptions {
   // with its inverse cube.
   double edge_length = 0.012;
   double longest = 2.5;  // s of simulated time fine cloth is given to come to rest
-  double slip = 0.08;    // m a top edge may move from where it was put on before it counts as lost
 
   void check() const;  // throws InvalidInput naming the field and its value
 };

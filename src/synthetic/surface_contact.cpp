@@ -9,7 +9,6 @@ namespace regarment {
 namespace {
 
 constexpr double kReach = 0.05;       // m, further away nothing is in contact
-constexpr double kAirGap = 1e-3;      // m, cloth sags this little between its particles
 constexpr double kSoon = 0.002;       // m, nearer than this a particle may touch before long
 constexpr double kAskAgain = 0.25;    // share of its distance a particle moves before it asks again
 constexpr double kAlwaysGood = 5e-4;  // m it moves without asking, however near it is

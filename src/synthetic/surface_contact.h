@@ -8,6 +8,10 @@
 
 namespace regarment {
 
+/// Cloth is kept this far from what it touches, m, beyond half the thicknesses: it sags a little
+/// between its particles.
+inline constexpr double kAirGap = 1e-3;
+
 /// What an obstacle is to the cloth that touches it.
 enum class ObstacleKind {
   Body,    // does not give way; closed

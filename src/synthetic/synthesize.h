@@ -15,7 +15,7 @@ struct SynthesizeOptions {
   int cases = 10;           // 1 .. 100000
   int threads = 1;          // cases in the making at once, 1 .. 256
   CaseWish wish;
-  DressOptions dress = {.longest = 8.0};  // thick and tucked cloth takes its time
+  DressOptions dress = {.longest = 4.0};  // thick and tucked cloth takes its time
 
   /// Throws InvalidInput naming the field and its value.
   void check() const;

@@ -82,7 +82,7 @@ void expect_no_new_crossings(const BodyShape& shape, std::size_t body) {
 
 TEST(BodyShape, IsTheLibrarysBodyWhenNothingIsAsked) {
   BodyShape shape;
-  const BodyFrame frame = body_frame(body_rig(), body_library().positions[0]);
+  const BodyJoints frame = body_joints(body_rig(), body_library().positions[0]);
   const Vec3& along = frame.arm_along[0];
   shape.arm_angle.fill(std::atan2(along.x(), -along.y()));
   const Mesh body = make_body(shape);

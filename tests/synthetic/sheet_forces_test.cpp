@@ -63,8 +63,8 @@ TEST(SheetForces, NeitherMoveNorTurnAFreeSheet) {
   EXPECT_LT(turn.norm(), 1e-9);
 }
 
-// A sheet rolled on a cylinder has one curvature 1 / R: its energy is B / (2 R^2) per area, whichever
-// way it is rolled. Its free edges, about half a triangle wide, bend less.
+// A sheet rolled on a cylinder has one curvature 1 / R: its energy is B / (2 R^2) per area,
+// whichever way it is rolled. Its free edges, about half a triangle wide, bend less.
 TEST(SheetForces, BendAsAPlateDoes) {
   const int cells = 60;
   const double h = 0.005, radius = 0.1;
