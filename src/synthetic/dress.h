@@ -31,8 +31,7 @@ struct DressOptions {
 struct DressReport {
   bool came_to_rest = false;
   double fastest = 0.0;    // m/s, 99th percentile of the speeds at the end
-  double deepest = 0.0;    // m, furthest that a sample of the cloth lies inside the body or a
-                           // garment below; 0: none does
+  double deepest = 0.0;    // m, furthest that a sample of the cloth lies inside the body; 0: none
   double simulated = 0.0;  // s
 };
 

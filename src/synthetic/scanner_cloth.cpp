@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scan/mesh_normals.h"
 
 namespace regarment {
 namespace {
 
 // The middle of the cloth, cut where the band ends.
-struct Sheet {
+struct CutCloth {
   std::vector<Vec3> positions, normals;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> source;  // triangle of the pattern
@@ -22,7 +23,7 @@ struct Sheet {
 // pair of particles, so that the cut goes on over a seam.
 class BandCut {
  public:
-  BandCut(const WornGarment& garment, Sheet& sheet) : garment_(garment), sheet_(sheet) {}
+  BandCut(const WornGarment& garment, CutCloth& sheet) : garment_(garment), sheet_(sheet) {}
 
   void add(std::uint32_t t) {
     const Triangle& corners = garment_.pattern.triangles[t];
@@ -65,27 +66,22 @@ class BandCut {
   }
 
   const WornGarment& garment_;
-  Sheet& sheet_;
+  CutCloth& sheet_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts_;
 };
 
-Sheet make_sheet(const WornGarment& garment) {
-  Sheet sheet;
+CutCloth cut_cloth(const WornGarment& garment) {
+  CutCloth sheet;
   sheet.positions = garment.particles;
   BandCut cut(garment, sheet);
   for (std::uint32_t t = 0; t < garment.pattern.triangles.size(); ++t) cut.add(t);
-  sheet.normals.assign(sheet.positions.size(), Vec3::Zero());
-  for (const Triangle& t : sheet.triangles) {
-    const Vec3 normal = (sheet.positions[t[1]] - sheet.positions[t[0]])
-                            .cross(sheet.positions[t[2]] - sheet.positions[t[0]]);
-    for (const std::uint32_t v : t) sheet.normals[v] += normal;
-  }
-  for (Vec3& normal : sheet.normals) normal.normalize();
+  sheet.normals = mesh_normals(sheet.positions, sheet.triangles);
   return sheet;
 }
 
 // Adds the triangles that lie in the band, or those that do not, as a closed slab.
-void add_slab(const Sheet& sheet, bool band, double half, std::uint8_t owner, ScannerScene& scene) {
+void add_slab(const CutCloth& sheet, bool band, double half, std::uint8_t owner,
+              ScannerScene& scene) {
   const auto outer = static_cast<std::uint32_t>(scene.positions.size());
   const auto inner = outer + static_cast<std::uint32_t>(sheet.positions.size());
   for (const double off : {half, -half})
@@ -125,7 +121,7 @@ void add_cloth(const WornGarment& garment, std::uint8_t owner, ScannerScene& sce
   for (const Vec3& p : garment.particles)
     if (!p.allFinite())
       throw InvalidInput("garment " + garment.template_name + " has a particle that is nowhere");
-  const Sheet sheet = make_sheet(garment);
+  const CutCloth sheet = cut_cloth(garment);
   const double half = 0.5 * garment.fabric.thickness;
   add_slab(sheet, false, half, owner, scene);
   if (garment.band > 0) add_slab(sheet, true, 2 * half, owner, scene);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "scan/mesh_normals.h"
+
 namespace regarment {
 namespace {
 
@@ -12,17 +14,6 @@ constexpr double kReach = 0.05;       // m, further away nothing is in contact
 constexpr double kSoon = 0.002;       // m, nearer than this a particle may touch before long
 constexpr double kAskAgain = 0.25;    // share of its distance a particle moves before it asks again
 constexpr double kAlwaysGood = 5e-4;  // m it moves without asking, however near it is
-
-std::vector<Vec3> smooth_normals(const std::vector<Triangle>& triangles,
-                                 const std::vector<Vec3>& positions) {
-  std::vector<Vec3> out(positions.size(), Vec3::Zero());
-  for (const Triangle& t : triangles) {
-    const Vec3 n = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-    for (const std::uint32_t v : t) out[v] += n;
-  }
-  for (Vec3& n : out) n.normalize();
-  return out;
-}
 
 /// Weights of the corners that make a point of the triangle's plane.
 Vec3 weights_of(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -59,7 +50,7 @@ void Obstacle::move_to(std::vector<Vec3> positions) {
 }
 
 void Obstacle::rebuild() {
-  normals_ = smooth_normals(triangles_, now_);
+  normals_ = mesh_normals(now_, triangles_);
   tree_ = std::make_unique<ClosestPoint>(now_, triangles_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scan/mesh_normals.h"
 #include "synthetic/surface_contact.h"
 
 namespace regarment {
@@ -23,22 +24,10 @@ std::vector<Triangle> triangles_of(const WornGarment& garment) {
   return out;
 }
 
-/// Vertex normals by area.
-std::vector<Vec3> normals_of(const std::vector<Triangle>& triangles,
-                             const std::vector<Vec3>& positions) {
-  std::vector<Vec3> out(positions.size(), Vec3::Zero());
-  for (const Triangle& t : triangles) {
-    const Vec3 n = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-    for (const std::uint32_t v : t) out[v] += n;
-  }
-  for (Vec3& n : out) n.normalize();
-  return out;
-}
-
 /// Moves vertices to `gap` below the cloth that covers them.
 void press_in(const Obstacle& cloth, double gap, const std::vector<Triangle>& triangles,
               std::vector<Vec3>& positions) {
-  const std::vector<Vec3> normals = normals_of(triangles, positions);
+  const std::vector<Vec3> normals = mesh_normals(positions, triangles);
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const ClosestHit hit = cloth.closest(positions[v], kReach);
     if (!hit.found() || hit.on_border || hit.normal.dot(normals[v]) < kAlike) continue;
