@@ -15,6 +15,9 @@ constexpr double kAverage =
     0.004;                        // m, points this close are averaged: noise makes outlines longer
 constexpr double kLargest = 3.0;  // m, a larger slice is no garment
 constexpr double kBridgeSpacing = 0.003;
+constexpr double kHeart = 0.03;       // m round the centre that the outside must not hold
+constexpr double kMostReach = 0.045;  // m, a wider gap is no gap between points
+constexpr double kWider = 1.5;        // a reach against the one before
 
 /// Points by cells of `size`, for neighbourhoods no wider than that.
 class Buckets {
@@ -114,6 +117,7 @@ double bridge_gaps(std::vector<Vec2>& points, const Vec2& centre, double reach) 
 }
 
 struct Field {
+  Vec2 low = Vec2::Zero();  // of the grid
   int nx = 0, ny = 0;
   std::vector<float> distance;        // at grid points, capped at 2 reach
   std::vector<std::uint8_t> outside;  // 1: reached from the border at distance > reach
@@ -128,6 +132,7 @@ Field distance_field(const std::vector<Vec2>& points, double reach) {
   const Bounds box(points, far + kCell);
   const Buckets buckets(points, box.low, box.high, far);
   Field f;
+  f.low = box.low;
   f.nx = static_cast<int>((box.high.x() - box.low.x()) / kCell) + 2;
   f.ny = static_cast<int>((box.high.y() - box.low.y()) / kCell) + 2;
   f.distance.assign(static_cast<std::size_t>(f.nx) * static_cast<std::size_t>(f.ny),
@@ -159,6 +164,21 @@ Field distance_field(const std::vector<Vec2>& points, double reach) {
     }
   }
   return f;
+}
+
+/// Whether the outside has come in through a gap: it holds most of the surroundings of the centre.
+bool leaks(const Field& f, const Vec2& centre) {
+  const int cx = static_cast<int>((centre.x() - f.low.x()) / kCell);
+  const int cy = static_cast<int>((centre.y() - f.low.y()) / kCell);
+  const int r = static_cast<int>(kHeart / kCell);
+  int outside = 0, all = 0;
+  for (int y = cy - r; y <= cy + r; ++y)
+    for (int x = cx - r; x <= cx + r; ++x) {
+      if (x < 0 || y < 0 || x >= f.nx || y >= f.ny) continue;
+      outside += f.outside[f.at(x, y)];
+      ++all;
+    }
+  return 2 * outside > all;
 }
 
 /// Length of the curve at distance `reach` that borders on the outside: marching squares.
@@ -199,7 +219,14 @@ double outline_length(const std::vector<Vec2>& points, const Vec2& centre, doubl
   if ((box.high - box.low).maxCoeff() > kLargest) return 0;
   std::vector<Vec2> curve = averaged(points);
   const double added = bridge_gaps(curve, centre, reach);
-  const double length = contour_length(distance_field(curve, reach), reach) - 2 * kPi * reach;
+  Field field = distance_field(curve, reach);
+  // Through a gap in a fold both sides of the curve would be measured.
+  while (leaks(field, centre) && reach * kWider <= kMostReach) {
+    reach *= kWider;
+    field = distance_field(curve, reach);
+  }
+  if (leaks(field, centre)) return 0;
+  const double length = contour_length(field, reach) - 2 * kPi * reach;
   if (bridged && length > 0) *bridged = added / length;
   return std::max(0.0, length);
 }

@@ -180,5 +180,35 @@ TEST(OutlineLength, OfTooFewPointsIsNothing) {
   EXPECT_EQ(outline_length({}, Vec2::Zero()), 0);
 }
 
+// A fold stands out from a round hem, and one of its sides was hardly seen: through the gap, which
+// lies behind cloth as seen from the middle, the inside must not be measured as well.
+TEST(OutlineLength, DoesNotCountTheInsideThroughAGapInAFold) {
+  const double radius = 0.2, tip = 0.3, half = 0.15;  // m, m, radians
+  std::vector<Vec2> points;
+  const auto add = [&](double r, double phi) {
+    points.emplace_back(r * std::cos(phi), r * std::sin(phi));
+  };
+  for (double phi = half; phi < 2 * kPi - half; phi += kSpacing / radius) add(radius, phi);
+  for (double phi = -half; phi < half; phi += kSpacing / tip) add(tip, phi);
+  for (double r = radius; r < tip; r += kSpacing) {
+    add(r, -half);
+    if (r < 0.235 || r > 0.265) add(r, half);
+  }
+  const double expected = radius * (2 * kPi - 2 * half) + tip * 2 * half + 2 * (tip - radius);
+  // Corners are rounded off at the reach that closes the gap.
+  EXPECT_NEAR(outline_length(points, Vec2::Zero()), expected, 0.04 * expected);
+}
+
+TEST(OutlineLength, OfAnArcIsThatOfItsSegment) {
+  std::vector<Vec2> points;
+  for (double phi = 0; phi < 1.2 * kPi; phi += kSpacing / 0.2)
+    points.emplace_back(0.2 * std::cos(phi), 0.2 * std::sin(phi));
+  double bridged = 0;
+  const double length = outline_length(points, Vec2::Zero(), 0.006, &bridged);
+  // Its opening is bridged straight, and said to be.
+  EXPECT_NEAR(length, 0.2 * 1.2 * kPi + 2 * 0.2 * std::sin(0.4 * kPi), 0.02);
+  EXPECT_GT(bridged, 0.3);
+}
+
 }  // namespace
 }  // namespace regarment
