@@ -255,6 +255,7 @@ Dressing dress_person(const std::vector<Mesh>& poses, const std::vector<GarmentW
                       const DressOptions& options, const Progress& progress) {
   options.check();
   check_poses(poses);
+  if (garments.empty()) return {{poses.back(), {}}, {}};
   Wardrobe wardrobe(poses, options, progress, garments.size());
   for (auto wish = garments.rbegin(); wish != garments.rend(); ++wish) wardrobe.put_on(*wish);
   wardrobe.move();

@@ -106,6 +106,13 @@ TEST(DressPerson, ATuckedShirtLiesUnderTheSkirt) {
   EXPECT_LT(girth_at(out.person.garments[1]), girth_at(out.person.garments[0]));
 }
 
+TEST(DressPerson, WhoWearsNothingIsAsTheyWere) {
+  const std::vector<Mesh> poses = lowering_the_arms();
+  const Dressing out = dress_person(poses, {});
+  EXPECT_TRUE(out.person.garments.empty());
+  EXPECT_EQ(out.person.body.positions, poses.back().positions);
+}
+
 TEST(DressPerson, RefusesPosesOfDifferentBodies) {
   std::vector<Mesh> poses = lowering_the_arms();
   poses[1].triangles.pop_back();
