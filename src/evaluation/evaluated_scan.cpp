@@ -1,8 +1,16 @@
 #include "evaluation/evaluated_scan.h"
 
+#include <algorithm>
+
 #include <cmath>
 
 namespace regarment {
+
+bool TrueFrame::agrees(const std::string& found_units, const std::string& found_up,
+                       const std::string& found_front) const {
+  return (units.empty() || units == found_units) && (up.empty() || up == found_up) &&
+         (front.empty() || std::find(front.begin(), front.end(), found_front) != front.end());
+}
 
 std::optional<double> EvaluatedScan::mean_error_cm() const {
   double sum = 0;

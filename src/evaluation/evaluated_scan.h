@@ -22,6 +22,16 @@ struct TrueDimension {
   bool hidden() const { return observable && !*observable; }
 };
 
+/// How a scan's file lies in space, where a table says so.
+struct TrueFrame {
+  std::string units, up;           // "mm", "+z"; empty: not said
+  std::vector<std::string> front;  // axes the front may be nearest to; empty: not said
+
+  bool said() const { return !units.empty() || !up.empty() || !front.empty(); }
+  bool agrees(const std::string& found_units, const std::string& found_up,
+              const std::string& found_front) const;
+};
+
 /// One scan of a table, with everything that is said about it.
 struct EvaluationCase {
   std::string name;                             // of its own: a folder's name, "skirt-1.mesh"
@@ -32,6 +42,7 @@ struct EvaluationCase {
   std::vector<std::string> options;             // of its fit alone
   std::string kind;                             // "cloud", "open", "closed", ...; empty: look
   std::vector<std::string> damage;
+  TrueFrame frame;
   std::string truth_rows;  // what the table says, in one text: changes when any of it does
 };
 
@@ -62,6 +73,7 @@ struct EvaluatedScan {
   std::optional<ScanFailure> failure;
   std::vector<std::optional<FoundDimension>> found;  // one per dimension; empty after a failure
   std::optional<LabelAgreement> labels;
+  std::optional<bool> frame_right;  // units, up and front; none where the truth is not known
   std::optional<double> seconds;
   bool has_report = false;  // fits/NAME/report.html is there
 

@@ -78,6 +78,7 @@ Json scan_json(const EvaluatedScan& scan) {
                      {"classes", classes},
                      {"border_mm", number(scan.labels->border_mm)}};
   }
+  if (scan.frame_right) out["frame_right"] = *scan.frame_right;
   if (scan.seconds) out["seconds"] = number(scan.seconds);
   if (scan.has_report) out["fit"] = "fits/" + scan.about.name;
   Json dimensions = Json::array();

@@ -73,6 +73,7 @@ class Reader {
     out.kind = said(rows, "kind");
     out.damage = split(said(rows, "damage"), ';');
     std::erase(out.damage, "none");
+    out.frame = {said(rows, "units"), said(rows, "up"), split(said(rows, "front"), ';')};
     return out;
   }
 

@@ -114,6 +114,10 @@ void add_scan(const EvaluatedScan& scan, const Chosen& chosen, GroupStatistics& 
   if (!in) return;
   ++out.scans;
   if (scan.failure) ++out.failures;
+  if (scan.frame_right) {
+    ++out.frames;
+    if (!*scan.frame_right) ++out.frames_wrong;
+  }
   if (scan.labels) all.iou.push_back(scan.labels->mean_iou);
   if (scan.labels && scan.labels->border_mm) all.border.push_back(*scan.labels->border_mm);
   if (scan.seconds) all.seconds.push_back(*scan.seconds);

@@ -28,6 +28,7 @@ struct GroupStatistics {
   std::size_t hidden = 0, hidden_flagged = 0;      // hidden dimensions, and those said to be so
   std::size_t visible = 0, visible_flagged = 0;    // the others, and those said to be hidden
   std::size_t confident = 0, confident_wrong = 0;  // visible and said to be seen; far off
+  std::size_t frames = 0, frames_wrong = 0;        // scans with a known frame; units or axes wrong
   std::size_t labelled = 0;                        // scans with true labels
   std::optional<double> miou, border_mm;           // means over these
   std::vector<std::pair<std::string, double>> class_iou;  // of all scans only; means, by name

@@ -83,6 +83,8 @@ const std::vector<NamedStatistic>& named_statistics() {
        [](const Group& g) { return of(g.published, g.published.bias_cm); }},
       {"published_mae_cm", Better::Neither,
        [](const Group& g) { return of(g.published, g.published.mae_cm); }},
+      {"frames", Better::Neither, [](const Group& g) { return number(g.frames); }},
+      {"frames_wrong", Better::Smaller, [](const Group& g) { return number(g.frames_wrong); }},
       {"labelled", Better::Neither, [](const Group& g) { return number(g.labelled); }},
       {"miou", Better::Larger, [](const Group& g) { return g.miou; }},
       {"border_mm", Better::Smaller, [](const Group& g) { return g.border_mm; }},

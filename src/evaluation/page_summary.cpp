@@ -77,6 +77,10 @@ std::vector<Gaps> key_figures(const GroupStatistics& all) {
                  count_text(all.hidden_flagged) + " / " + count_text(all.hidden),
                  count_text(all.visible_flagged) + " of " + count_text(all.visible) +
                      " visible ones wrongly flagged")};
+  if (all.frames > 0) {
+    out.push_back(key_figure("Units and axes wrong", count_text(all.frames_wrong),
+                             "of " + counted(all.frames, "scan") + " with a known frame"));
+  }
   for (Gaps& one : label_figures(all)) out.push_back(std::move(one));
   if (all.worn.n > 0) {
     out.push_back(key_figure("Worn lengths, MAE", figure_text(all.worn.mae_cm, 2),

@@ -124,6 +124,8 @@ EvaluatedScan finished_scan(const EvaluationCase& about, const fs::path& folder)
     out.about = about;
     if (out.about.kind.empty()) out.about.kind = kind_of(result.scan);
     for (const TrueDimension& truth : about.dimensions) out.found.push_back(found(result, truth));
+    if (about.frame.said())
+      out.frame_right = about.frame.agrees(result.scan.units, result.scan.up, result.scan.front);
     if (!result.timing_s.empty()) out.seconds = result.timing_s.back().second;
     if (about.labels) out.labels = agreement(about, result, folder);
     out.has_report = true;

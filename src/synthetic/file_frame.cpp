@@ -7,7 +7,8 @@
 namespace regarment {
 namespace {
 
-constexpr double kFurthest = 1000;  // m
+constexpr double kFurthest = 1000;      // m
+constexpr double kNearlyAlong = 0.643;  // cosine of 50 degrees
 
 // Columns: the body's left, up and ahead in the file.
 Eigen::Matrix3d axes_of(const Vec3& up) {
@@ -34,6 +35,14 @@ Eigen::Affine3d file_from_body(const FileFrame& frame) {
   map.translate(frame.shift);
   map.rotate(axes_of(axis_vector(frame.up)) * turn.toRotationMatrix());
   return map;
+}
+
+std::vector<std::string> front_axes(const FileFrame& frame) {
+  const Vec3 front = (file_from_body(frame).linear() * Vec3::UnitZ()).normalized();
+  std::vector<std::string> out;
+  for (const std::string_view name : kFileAxes)
+    if (axis_vector(name).dot(front) > kNearlyAlong) out.emplace_back(name);
+  return out;
 }
 
 void into_file_frame(const Eigen::Affine3d& file_from_body, Mesh& mesh) {

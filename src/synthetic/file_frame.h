@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh.h"
 
@@ -22,6 +23,10 @@ struct FileFrame {
 /// Brings points of the body frame (m) to the file: a turn, a shift, a uniform scale. With yaw 0
 /// the body's axes lie along the file's.
 Eigen::Affine3d file_from_body(const FileFrame& frame);
+
+/// The file's axes that lie within 50 degrees of where the person faces, as "+x" ... "-z": one, or
+/// two where it is hard to say.
+std::vector<std::string> front_axes(const FileFrame& frame);
 
 /// Moves positions and normals, which stay unit.
 void into_file_frame(const Eigen::Affine3d& file_from_body, Mesh& mesh);

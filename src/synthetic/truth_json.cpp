@@ -163,7 +163,8 @@ std::string truth_json(const CaseTruth& truth) {
 }
 
 std::string_view truth_csv_header() {
-  return "scan,kind,layer,template,measurement,value_cm,worn_cm,observable,labels,damage\n";
+  return "scan,kind,layer,template,measurement,value_cm,worn_cm,observable,labels,damage,units,up,"
+         "front\n";
 }
 
 std::string truth_csv_rows(const CaseTruth& truth) {
@@ -180,7 +181,8 @@ std::string truth_csv_rows(const CaseTruth& truth) {
              std::to_string(layer) + "," + garment.template_name + "," + name + "," +
              cell(garment.flat.at(name)) + "," + cell(garment.worn.at(name)) + "," +
              (hidden ? "false" : "true") + "," + stem_of(recipe) + ".labels.u8," +
-             joined(recipe.damage) + "\n";
+             joined(recipe.damage) + "," + recipe.frame.units + "," + recipe.frame.up + "," +
+             joined(front_axes(recipe.frame)) + "\n";
     }
     ++layer;
   }

@@ -32,6 +32,22 @@ class EvaluationTable : public ::testing::Test {
 
 constexpr const char* kHead = "scan,layer,template,measurement,value_cm\n";
 
+TEST_F(EvaluationTable, ReadsHowTheFileLiesInSpace) {
+  make("a.mesh.ply");
+  make("b.mesh.ply");
+  const auto cases = read(
+      "scan,template,measurement,value_cm,units,up,front\n"
+      "a.mesh.ply,skirt,hip,94,mm,+z,+x;-y\nb.mesh.ply,skirt,hip,94,,,\n");
+  ASSERT_EQ(cases.size(), 2u);
+  const TrueFrame& frame = cases[0].frame;
+  EXPECT_TRUE(frame.agrees("mm", "+z", "+x"));
+  EXPECT_TRUE(frame.agrees("mm", "+z", "-y"));
+  EXPECT_FALSE(frame.agrees("cm", "+z", "+x"));
+  EXPECT_FALSE(frame.agrees("mm", "-z", "+x"));
+  EXPECT_FALSE(frame.agrees("mm", "+z", "+y"));
+  EXPECT_FALSE(cases[1].frame.said());
+}
+
 TEST_F(EvaluationTable, ReadsWhatIsSaidOfAScan) {
   make("a.mesh.ply");
   make("a.mesh.labels.u8");

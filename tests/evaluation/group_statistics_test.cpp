@@ -91,6 +91,15 @@ TEST(GroupStatistics, CompareWornAndPublishedWhereBothAreKnown) {
   EXPECT_NEAR(all.published.bias_cm, -8, 1e-12);
 }
 
+TEST(GroupStatistics, CountFramesThatAreKnown) {
+  EvaluatedScan right = skirt_scan("a", {0}), wrong = skirt_scan("b", {0});
+  right.frame_right = true;
+  wrong.frame_right = false;
+  const GroupStatistics all = group_statistics({right, wrong, skirt_scan("c", {0})}).front();
+  EXPECT_EQ(all.frames, 2u);
+  EXPECT_EQ(all.frames_wrong, 1u);
+}
+
 TEST(GroupStatistics, AverageLabelsOverScans) {
   EvaluatedScan a = skirt_scan("a", {0}), b = a, c = a;
   a.labels = LabelAgreement{0.9, {{"person", 0.95}, {"skirt", 0.85}}, 4.0};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <numbers>
 
 #include "base/error.h"
@@ -54,6 +56,15 @@ TEST(FileFrame, MeshMovesWithItsNormals) {
   into_file_frame(file_from_body({"cm", "-x", 0.4, {0, 0, 0.1}}), mesh);
   EXPECT_LT((mesh.positions[0] - Vec3(-100, 0, 10)).norm(), 1e-9);
   EXPECT_LT((mesh.normals[0] - Vec3(-1, 0, 0)).norm(), 1e-12);
+}
+
+TEST(FileFrame, NamesTheAxesThePersonFaces) {
+  using Names = std::vector<std::string>;
+  const double quarter = std::acos(-1.0) / 2;
+  EXPECT_EQ(front_axes({"m", "+y", 0, Vec3::Zero()}), Names{"+z"});
+  EXPECT_EQ(front_axes({"inch", "+y", quarter, Vec3::Zero()}), Names{"+x"});
+  EXPECT_EQ(front_axes({"m", "+y", quarter / 2, Vec3::Zero()}), (Names{"+x", "+z"}));
+  EXPECT_EQ(front_axes({"mm", "+y", -0.6, Vec3::Zero()}), Names{"+z"});
 }
 
 TEST(FileFrame, RefusesWhatNoFileHas) {

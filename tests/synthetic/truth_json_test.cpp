@@ -60,11 +60,11 @@ TEST(TruthCsv, HasALinePerDimensionInTheTemplatesOrder) {
   std::getline(lines, line);
   EXPECT_EQ(line,
             "../case-0003.mesh.ply,closed,1,skirt,length,60.0,61.0,false,"
-            "case-0003.mesh.labels.u8,noise; holes");
+            "case-0003.mesh.labels.u8,noise; holes,mm,+z,+x");
   std::getline(lines, line);
   EXPECT_EQ(line,
             "../case-0003.mesh.ply,closed,1,skirt,width,120.0,120.0,true,"
-            "case-0003.mesh.labels.u8,noise; holes");
+            "case-0003.mesh.labels.u8,noise; holes,mm,+z,+x");
   int rest = 0;
   while (std::getline(lines, line)) ++rest;
   EXPECT_EQ(rest, 2);
