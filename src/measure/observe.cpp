@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,12 +23,29 @@ constexpr double kWaving = 1.5;    // m of doubt in a girth per m that its edge 
 constexpr double kOutlineReach = 0.006;  // m, see outline_length
 constexpr double kHalfSlice = 0.004;     // m, half the thickness of a slice that is outlined
 constexpr double kWidestSlice = 0.6;     // m from its centre
+// A plane through a cuff cuts the side of the body as well: what lies further out than this against
+// the cuff is not the sleeve.
+constexpr double kWiderSleeve = 1.12;
+constexpr double kThickSleeve = 0.008;  // m
 
 /// The plane an edge lies in, nearly.
 struct EdgePlane {
   Vec3 centre = Vec3::Zero();
   Vec3 normal = Vec3::UnitY(), a = Vec3::UnitX(), b = Vec3::UnitZ();
   double reach = 0;  // m, how far the edge reaches into the garment from its mean plane
+  std::array<double, 36> radius{};  // m, of the edge, by angle from a towards b; 0: not seen there
+
+  std::size_t bin(const Vec2& p) const {
+    const double turn = (std::atan2(p.y(), p.x()) + kPi) / (2 * kPi);
+    return std::min(radius.size() - 1,
+                    static_cast<std::size_t>(turn * static_cast<double>(radius.size())));
+  }
+  /// Whether a point beside a cuff may belong to the sleeve, which widens a little from its edge
+  /// on.
+  bool near_edge(const Vec2& p) const {
+    const double r = radius[bin(p)];
+    return r <= 0 || p.norm() <= kWiderSleeve * r + kThickSleeve;
+  }
 };
 
 struct Observer {
@@ -82,8 +100,10 @@ double Observer::slice_girth(const GarmentEdge& e, const EdgePlane& plane, doubl
     if (!cloth[m]) continue;
     const Vec3 d = samples.positions[m] - plane.centre;
     if (std::abs(d.dot(towards) - inside) < half_slice() &&
-        d.squaredNorm() < kWidestSlice * kWidestSlice)
-      points.emplace_back(d.dot(plane.a), d.dot(plane.b));
+        d.squaredNorm() < kWidestSlice * kWidestSlice) {
+      const Vec2 p(d.dot(plane.a), d.dot(plane.b));
+      if (e.limb == "torso" || plane.near_edge(p)) points.push_back(p);
+    }
   }
   double bridged = 0;
   const double length = outline_length(points, Vec2::Zero(), reach(), &bridged);
@@ -111,6 +131,11 @@ EdgePlane Observer::plane_of(const GarmentEdge& e) const {
       e.garment_above == (plane.normal.dot(view.axis.tangent(e.found.s[0])) > 0) ? 1.0 : -1.0;
   std::vector<double> height;
   for (const Vec3& p : points) height.push_back(sign * (p - plane.centre).dot(plane.normal));
+  for (const Vec3& p : points) {
+    const Vec2 at((p - plane.centre).dot(plane.a), (p - plane.centre).dot(plane.b));
+    double& r = plane.radius[plane.bin(at)];
+    r = std::max(r, at.norm());
+  }
   std::sort(height.begin(), height.end());
   plane.reach = height[height.size() * 9 / 10];
   return plane;

@@ -121,6 +121,7 @@ struct Field {
   int nx = 0, ny = 0;
   std::vector<float> distance;        // at grid points, capped at 2 reach
   std::vector<std::uint8_t> outside;  // 1: reached from the border at distance > reach
+  std::vector<std::uint8_t> own;  // 1: not outside, and joined to the surroundings of the centre
 
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
@@ -166,19 +167,43 @@ Field distance_field(const std::vector<Vec2>& points, double reach) {
   return f;
 }
 
-/// Whether the outside has come in through a gap: it holds most of the surroundings of the centre.
-bool leaks(const Field& f, const Vec2& centre) {
+/// Grid points near the centre.
+std::vector<std::pair<int, int>> heart(const Field& f, const Vec2& centre) {
   const int cx = static_cast<int>((centre.x() - f.low.x()) / kCell);
   const int cy = static_cast<int>((centre.y() - f.low.y()) / kCell);
   const int r = static_cast<int>(kHeart / kCell);
-  int outside = 0, all = 0;
-  for (int y = cy - r; y <= cy + r; ++y)
-    for (int x = cx - r; x <= cx + r; ++x) {
-      if (x < 0 || y < 0 || x >= f.nx || y >= f.ny) continue;
-      outside += f.outside[f.at(x, y)];
-      ++all;
-    }
-  return 2 * outside > all;
+  std::vector<std::pair<int, int>> out;
+  for (int y = std::max(0, cy - r); y <= std::min(f.ny - 1, cy + r); ++y)
+    for (int x = std::max(0, cx - r); x <= std::min(f.nx - 1, cx + r); ++x) out.emplace_back(x, y);
+  return out;
+}
+
+/// Whether the outside has come in through a gap: it holds most of the surroundings of the centre.
+bool leaks(const Field& f, const Vec2& centre) {
+  const auto points = heart(f, centre);
+  const auto outside = std::count_if(points.begin(), points.end(), [&](const auto& p) {
+    return f.outside[f.at(p.first, p.second)] != 0;
+  });
+  return 2 * static_cast<std::size_t>(outside) > points.size();
+}
+
+/// Marks what belongs to the outline round the centre; other cloth that the plane cuts does not.
+void mark_own(const Vec2& centre, Field& f) {
+  f.own.assign(f.outside.size(), 0);
+  std::vector<std::pair<int, int>> stack;
+  const auto visit = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= f.nx || y >= f.ny) return;
+    const std::size_t i = f.at(x, y);
+    if (f.outside[i] || f.own[i]) return;
+    f.own[i] = 1;
+    stack.emplace_back(x, y);
+  };
+  for (const auto& [x, y] : heart(f, centre)) visit(x, y);
+  while (!stack.empty()) {
+    const auto [x, y] = stack.back();
+    stack.pop_back();
+    visit(x + 1, y), visit(x - 1, y), visit(x, y + 1), visit(x, y - 1);
+  }
 }
 
 /// Length of the curve at distance `reach` that borders on the outside: marching squares.
@@ -190,18 +215,19 @@ double contour_length(const Field& f, double reach) {
           {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
       std::array<Vec2, 4> crossing;
       int n = 0;
-      bool touches = false;
+      bool touches = false, own = false;
       for (int k = 0; k < 4; ++k) {
         const auto [ax, ay] = corner[k];
         const auto [bx, by] = corner[(k + 1) % 4];
         const double a = double{f.distance[f.at(ax, ay)]} - reach;
         const double b = double{f.distance[f.at(bx, by)]} - reach;
         touches = touches || f.outside[f.at(ax, ay)] != 0;
+        own = own || f.own[f.at(ax, ay)] != 0;
         if ((a > 0) == (b > 0)) continue;
         const double t = a / (a - b);
         crossing[n++] = (1 - t) * Vec2(ax, ay) + t * Vec2(bx, by);
       }
-      if (!touches) continue;
+      if (!touches || !own) continue;
       if (n == 2) length += (crossing[1] - crossing[0]).norm();
       if (n == 4) length += (crossing[1] - crossing[0]).norm() + (crossing[3] - crossing[2]).norm();
     }
@@ -226,6 +252,7 @@ double outline_length(const std::vector<Vec2>& points, const Vec2& centre, doubl
     field = distance_field(curve, reach);
   }
   if (leaks(field, centre)) return 0;
+  mark_own(centre, field);
   const double length = contour_length(field, reach) - 2 * kPi * reach;
   if (bridged && length > 0) *bridged = added / length;
   return std::max(0.0, length);

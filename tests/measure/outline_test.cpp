@@ -199,6 +199,14 @@ TEST(OutlineLength, DoesNotCountTheInsideThroughAGapInAFold) {
   EXPECT_NEAR(outline_length(points, Vec2::Zero()), expected, 0.04 * expected);
 }
 
+// A plane through a cuff also cuts the side of the body.
+TEST(OutlineLength, OtherClothBesideItDoesNotCount) {
+  std::vector<Vec2> points = points_on(ellipse(0.06, 0.06));
+  for (double y = -0.1; y < 0.1; y += kSpacing) points.emplace_back(0.085 + 0.5 * std::abs(y), y);
+  const double expected = test::circle_length(0.06);
+  EXPECT_NEAR(outline_length(points, Vec2::Zero()), expected, 0.01 * expected);
+}
+
 TEST(OutlineLength, OfAnArcIsThatOfItsSegment) {
   std::vector<Vec2> points;
   for (double phi = 0; phi < 1.2 * kPi; phi += kSpacing / 0.2)
