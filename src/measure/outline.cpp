@@ -219,8 +219,8 @@ double contour_length(const Field& f, double reach) {
       for (int k = 0; k < 4; ++k) {
         const auto [ax, ay] = corner[k];
         const auto [bx, by] = corner[(k + 1) % 4];
-        const double a = double{f.distance[f.at(ax, ay)]} - reach;
-        const double b = double{f.distance[f.at(bx, by)]} - reach;
+        const double a = static_cast<double>(f.distance[f.at(ax, ay)]) - reach;
+        const double b = static_cast<double>(f.distance[f.at(bx, by)]) - reach;
         touches = touches || f.outside[f.at(ax, ay)] != 0;
         own = own || f.own[f.at(ax, ay)] != 0;
         if ((a > 0) == (b > 0)) continue;
