@@ -1,7 +1,11 @@
 #include "evaluation/child_pool.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -95,30 +99,24 @@ TEST(ChildPool, OneAtATimeKeepsTheOrder) {
   EXPECT_EQ(order, "01234");
 }
 
-bool is_gone(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  pid_t process = 0;
-  stream >> process;
-  if (process <= 1) return false;
-  // Whoever was its parent is gone too; who takes over may need a moment to reap it.
-  std::ifstream status("/proc/" + std::to_string(process) + "/stat");
-  std::string number, name, state;
-  status >> number >> name >> state;
-  return ::kill(process, 0) != 0 || state == "Z";
-}
-
 TEST(ChildPool, LeavesNoProcessBehindWhenItIsStopped) {
   const TemporaryFolder home;
-  const auto file = home.path() / "pid", ready = home.path() / "ready";
+  const auto pipe = home.path() / "pipe", ready = home.path() / "ready";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  pollfd end{::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC), POLLIN, 0};
+  ASSERT_GE(end.fd, 0);
   const auto still_wanted = [&] {
     if (std::filesystem::exists(ready)) throw Stopped();
   };
-  const std::string script = "sleep 600 & echo $! > " + file.string() + "; mv " + file.string() +
-                             " " + ready.string() + "; wait";
+  const std::string script =
+      "exec 3> " + pipe.string() + "; sleep 600 & : > " + ready.string() + "; wait";
   EXPECT_THROW(run_children(
                    {shell(script)}, {}, [](auto, const auto&) {}, still_wanted),
                Stopped);
-  EXPECT_TRUE(is_gone(ready));
+  // The pipe hangs up when the last process that holds it is gone.
+  EXPECT_EQ(::poll(&end, 1, 60000), 1);
+  EXPECT_TRUE(end.revents & POLLHUP);
+  ::close(end.fd);
 }
 
 }  // namespace
