@@ -10,8 +10,8 @@ struct Range {
   double low, high;
 };
 
-// A kind of cloth, in the units of Fabric. Stiffness and bending follow published tests of apparel
-// fabrics (KES-F: tensile 100 to 4000 N/m, bending 2e-6 to 4e-4 N m) in round figures.
+// A kind of cloth, in the units of SheetFabric. Stiffness and bending follow published tests of
+// apparel fabrics (KES-F: tensile 100 to 4000 N/m, bending 2e-6 to 4e-4 N m) in round figures.
 struct Cloth {
   double share;
   Range thickness, density, along, across, shear, bending;
@@ -32,11 +32,11 @@ double draw_magnitude(const Range& range, CaseDice& dice) {
 
 }  // namespace
 
-Fabric sample_fabric(double thick, double thickest, CaseDice& dice) {
+SheetFabric sample_fabric(double thick, double thickest, CaseDice& dice) {
   std::size_t kind = 0;
   while (kind + 1 < kCloths.size() && thick >= kCloths[kind].share) thick -= kCloths[kind++].share;
   const Cloth& cloth = kCloths[kind];
-  Fabric out;
+  SheetFabric out;
   out.thickness = std::min(draw(cloth.thickness, dice), thickest);
   out.density = draw(cloth.density, dice);
   out.stiffness_along = draw(cloth.along, dice);

@@ -8,6 +8,6 @@ namespace regarment {
 /// Draws what a garment is made of: thin jersey, woven cotton, heavy denim or wool, thick fleece.
 /// `thick` 0 .. 1 chooses among them, thin to thick; `thickest` (m) holds for what is worn over or
 /// under something.
-Fabric sample_fabric(double thick, double thickest, CaseDice& dice);
+SheetFabric sample_fabric(double thick, double thickest, CaseDice& dice);
 
 }  // namespace regarment

@@ -45,7 +45,7 @@ double widest(const Mesh& body, double from, double to) {
   return std::max(out, tape_girth(body, to));
 }
 
-GarmentWish finish(const char* name, const Dimensions& drawn, const Fabric& fabric) {
+GarmentWish finish(const char* name, const Dimensions& drawn, const SheetFabric& fabric) {
   GarmentWish wish;
   wish.template_name = name;
   wish.dimensions = find_template(name).nearest_possible(drawn);
@@ -77,7 +77,8 @@ double skirt_length(Outfit outfit, double top, CaseDice& dice) {
 
 GarmentWish sample_skirt(Outfit outfit, const Mesh& body, const BodyGirths& girths, double inside,
                          CaseDice& dice) {
-  const Fabric fabric = sample_fabric(dice.uniform(0, 1), inside > 0 ? kThickAtTwo : 0.005, dice);
+  const SheetFabric fabric =
+      sample_fabric(dice.uniform(0, 1), inside > 0 ? kThickAtTwo : 0.005, dice);
   const double low = girths.hip_height + 0.45 * (girths.waist_height - girths.hip_height);
   const double top = dice.uniform(low, girths.waist_height + 0.02);
   const double around = round_the_body(fabric.thickness) + 2 * std::numbers::pi * inside;
@@ -161,7 +162,7 @@ double hem_height(Outfit outfit, const BodyGirths& girths, double skirt_top, Cas
 
 GarmentWish sample_tshirt(Outfit outfit, const Mesh& body, const BodyGirths& girths,
                           const GarmentWish* skirt, CaseDice& dice) {
-  const Fabric fabric =
+  const SheetFabric fabric =
       sample_fabric(dice.uniform(0, skirt ? 0.7 : 1.0), skirt ? kThickAtTwo : 0.004, dice);
   const double around = round_the_body(fabric.thickness);
   const Ease ease = tshirt_ease(outfit);

@@ -11,7 +11,7 @@ namespace regarment {
 struct GarmentWish {
   std::string template_name;
   Dimensions dimensions;  // m
-  Fabric fabric;
+  SheetFabric fabric;
   double band = 0.0;  // m, see WornGarment::band
   // m above the floor where the top edge of a garment that hangs from the waist is put on; not
   // looked at where one has sleeves and hangs from the shoulders.

@@ -13,7 +13,7 @@ namespace regarment {
 struct WornGarment {
   std::string template_name;
   Dimensions dimensions;  // m, of the flat garment: the truth
-  Fabric fabric;
+  SheetFabric fabric;
   double band = 0.0;            // m, width of a strip of double thickness along the top edge (a
                                 // skirt's waistband); 0: none
   Pattern pattern;              // flat, at `dimensions`

@@ -16,7 +16,7 @@ void check_range(const char* name, double value, double low, double high) {
 
 }  // namespace
 
-void Fabric::check() const {
+void SheetFabric::check() const {
   check_range("thickness", thickness, 5e-4, 0.01);
   check_range("density", density, 0.02, 2.0);
   check_range("stiffness_along", stiffness_along, 5.0, 1e5);

@@ -4,7 +4,7 @@ namespace regarment {
 
 /// What a garment is made of: a woven or knitted sheet that stretches differently along the grain
 /// (t, down the panel), across it (s) and in shear. SI units.
-struct Fabric {
+struct SheetFabric {
   double thickness = 0.002;          // m, 0.0005 .. 0.01
   double density = 0.25;             // kg / m^2
   double stiffness_along = 1500.0;   // N/m per unit strain along t: force over width

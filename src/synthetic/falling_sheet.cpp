@@ -76,7 +76,7 @@ void FallingSheet::predict(const FallOptions& options) {
 }
 
 void FallingSheet::hold_shape(double dt, bool downwards) {
-  const Fabric& fabric = sheet_.fabric;
+  const SheetFabric& fabric = sheet_.fabric;
   const std::size_t n = sheet_.elements.size();
   for (std::size_t k = 0; k < n; ++k) {
     const SheetElement& e = sheet_.elements[downwards ? k : n - 1 - k];

@@ -121,7 +121,7 @@ std::vector<std::vector<std::uint32_t>> two_rings(const std::map<EdgeKey, std::v
 
 }  // namespace
 
-Sheet make_sheet(const Pattern& pattern, const Fabric& fabric, double band) {
+Sheet make_sheet(const Pattern& pattern, const SheetFabric& fabric, double band) {
   fabric.check();
   Sheet sheet;
   sheet.fabric = fabric;

@@ -29,7 +29,7 @@ struct BendingMatrix {
 
 /// A sewn garment as a continuum: what does not change while it moves.
 struct Sheet {
-  Fabric fabric;
+  SheetFabric fabric;
   std::vector<double> area;            // m^2 at rest, per particle
   std::vector<double> mass;            // kg, per particle, > 0
   std::vector<SheetElement> elements;  //
@@ -48,6 +48,6 @@ struct Sheet {
 /// Makes a sheet of a pattern. Elements whose middle lies less than `band` below the panel's top
 /// (t = 0) are of two layers. Throws InvalidInput for a fabric out of range and for triangles
 /// without area.
-Sheet make_sheet(const Pattern& pattern, const Fabric& fabric, double band = 0.0);
+Sheet make_sheet(const Pattern& pattern, const SheetFabric& fabric, double band = 0.0);
 
 }  // namespace regarment

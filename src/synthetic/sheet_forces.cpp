@@ -34,7 +34,7 @@ double square(double v) { return v * v; }
 }  // namespace
 
 void add_strain_forces(const Sheet& sheet, const std::vector<Vec3>& x, std::vector<Vec3>& forces) {
-  const Fabric& fabric = sheet.fabric;
+  const SheetFabric& fabric = sheet.fabric;
   for (const SheetElement& e : sheet.elements) {
     const Images image(e, x);
     const double area = e.area * e.layers;
@@ -59,7 +59,7 @@ void add_bending_forces(const Sheet& sheet, const std::vector<Vec3>& x, std::vec
 }
 
 double strain_energy(const Sheet& sheet, const std::vector<Vec3>& x) {
-  const Fabric& fabric = sheet.fabric;
+  const SheetFabric& fabric = sheet.fabric;
   double sum = 0;
   for (const SheetElement& e : sheet.elements) {
     const Images image(e, x);
@@ -80,7 +80,7 @@ double bending_energy(const Sheet& sheet, const std::vector<Vec3>& x) {
 }
 
 Eigen::SparseMatrix<double> stiffness_bound(const Sheet& sheet) {
-  const Fabric& fabric = sheet.fabric;
+  const SheetFabric& fabric = sheet.fabric;
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](std::uint32_t row, std::uint32_t column, double value) {
     if (row >= column) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);

@@ -32,7 +32,7 @@ Json in_cm(const Dimensions& dimensions) {
   return out;
 }
 
-Json fabric_json(const Fabric& fabric) {
+Json fabric_json(const SheetFabric& fabric) {
   return {{"thickness_mm", plain(fabric.thickness * 1000)},
           {"density", plain(fabric.density)},
           {"stiffness_along", plain(fabric.stiffness_along)},

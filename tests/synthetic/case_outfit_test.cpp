@@ -45,7 +45,7 @@ TEST(SampleFabric, IsAlwaysOne) {
   CaseDice dice(1, 0, 0);
   double thinnest = 1, thickest = 0;
   for (int i = 0; i < 300; ++i) {
-    const Fabric fabric = sample_fabric(dice.uniform(0, 1), 0.005, dice);
+    const SheetFabric fabric = sample_fabric(dice.uniform(0, 1), 0.005, dice);
     EXPECT_NO_THROW(fabric.check());
     thinnest = std::min(thinnest, fabric.thickness);
     thickest = std::max(thickest, fabric.thickness);

@@ -10,10 +10,10 @@
 namespace regarment {
 namespace {
 
-TEST(Fabric, TheDefaultIsFine) { EXPECT_NO_THROW(Fabric{}.check()); }
+TEST(SheetFabric, TheDefaultIsFine) { EXPECT_NO_THROW(SheetFabric{}.check()); }
 
-TEST(Fabric, NamesTheFieldThatIsWrong) {
-  Fabric fabric;
+TEST(SheetFabric, NamesTheFieldThatIsWrong) {
+  SheetFabric fabric;
   fabric.bending = std::numeric_limits<double>::quiet_NaN();
   try {
     fabric.check();

@@ -38,7 +38,7 @@ TEST(FallingSheet, FallsAsEverythingDoesInAVacuum) {
 /// How far a small sheet slides down a slope of `angle` in half a second.
 double slide_on(double angle, double friction) {
   const Pattern pattern = grid_pattern(4, 4, 0.02);
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.friction = friction;
   const Sheet sheet = make_sheet(pattern, fabric);
   const Vec3 normal(std::sin(angle), std::cos(angle), 0),
@@ -93,7 +93,7 @@ TEST(FallingSheet, LiesOnASphereAndNotInIt) {
   const int cells = 20;
   const double h = 0.02;
   const Pattern pattern = grid_pattern(cells, cells, h);
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.friction = 0.5;
   const Sheet sheet = make_sheet(pattern, fabric);
   FallingSheet moving(sheet, placed(pattern, [&](const Vec2& p) {
@@ -129,7 +129,7 @@ TEST(FallingSheet, FoldsDoNotPassThroughEachOther) {
   for (const Triangle& t : one.triangles)
     pattern.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
   pattern.particle_count = static_cast<int>(2 * n);
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.thickness = 0.005;
   const Sheet sheet = make_sheet(pattern, fabric);
   const MadePlane plane(Vec3::Zero(), Vec3::UnitY());

@@ -24,7 +24,7 @@ TEST(RestingSheet, HangsAsLongAsHookeSays) {
   const double h = 0.02;
   const Pattern pattern = grid_pattern(columns, rows, h);
   for (const double stiffness : {40.0, 1500.0}) {
-    Fabric fabric;
+    SheetFabric fabric;
     fabric.stiffness_along = stiffness;
     const Sheet sheet = make_sheet(pattern, fabric);
     RestingSheet strip(sheet,
@@ -46,7 +46,7 @@ TEST(RestingSheet, SagsAsABeamDoes) {
   const int columns = 48, rows = 24;
   const double h = 0.005;
   const Pattern pattern = lattice_pattern(columns, rows, h);
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.bending = 8e-3;
   const Sheet sheet = make_sheet(pattern, fabric);
   RestingSheet beam(sheet, placed(pattern, [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); }));
@@ -105,7 +105,7 @@ struct MadeCone {
 // direction virtual work gives k d 2 pi sin(a) ln(lower / upper) = W cos(a).
 TEST(RestingSheet, SlidesDownAConeUntilItCarriesItsWeight) {
   const double half_angle = 0.5, upper = 0.25, lower = 0.45;
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.stiffness_along = fabric.stiffness_across = 60;
   fabric.stiffness_shear = 30;  // with this it is the same in every direction
   fabric.friction = 0;

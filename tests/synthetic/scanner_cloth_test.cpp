@@ -22,8 +22,8 @@ ScannerScene scene_of(const WornGarment& garment) {
   return scene;
 }
 
-Fabric fabric() {
-  Fabric fabric;
+SheetFabric fabric() {
+  SheetFabric fabric;
   fabric.thickness = kThickness;
   return fabric;
 }

@@ -56,7 +56,7 @@ struct ConeSkirt {
     return (waist + (width - waist) * t / length) / (2 * std::numbers::pi);
   }
 
-  WornGarment worn(double edge_length, const Fabric& fabric, double band = 0) const {
+  WornGarment worn(double edge_length, const SheetFabric& fabric, double band = 0) const {
     WornGarment garment;
     garment.template_name = "skirt";
     garment.dimensions = {{"waist", waist},

@@ -69,7 +69,7 @@ TEST(SheetForces, BendAsAPlateDoes) {
   const int cells = 60;
   const double h = 0.005, radius = 0.1;
   const Pattern pattern = lattice_pattern(cells, cells, h);
-  Fabric fabric;
+  SheetFabric fabric;
   fabric.bending = 1e-4;
   const Sheet sheet = make_sheet(pattern, fabric);
   double area = 0;
