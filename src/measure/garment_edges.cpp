@@ -20,6 +20,7 @@ constexpr double kFineSpacing = 0.0045;  // m between samples that fill the fine
 constexpr double kArmReach = 0.16;       // m, samples further from an arm's axis are torso
 constexpr double kLeastCoverage = 0.8;   // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
+constexpr double kForkBelow = 0.03, kForkAbove = 0.12;  // m, a skirt's hem about where legs join
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
 constexpr double kFurtherGain = 0.3;   // of evidence that a cuff beyond must have more
@@ -136,6 +137,9 @@ struct Finder {
   void find_on_torso(const PatternEdge& edge);
   void find_on_arm(const PatternEdge& edge);
   void find_on_neck(const PatternEdge& edge);
+  bool hem_joins_legs() const;
+  void judge_torso() const;
+  void judge_sleeves() const;
   [[noreturn]] void missing(const std::string& name, const FoundEdge& edge) const;
 };
 
@@ -214,9 +218,6 @@ void Finder::find_on_torso(const PatternEdge& edge) {
                       fine.step(kTrunkStep), fine.columns(kTrunkColumns), kFacing);
     found.covered = covered_share(view, hidden, found) > 0.5;
   }
-  if (given == said.end() && !found.covered &&
-      (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore))
-    missing(edge.name, found.found);
   out.edges.emplace(edge.name, std::move(found));
 }
 
@@ -293,6 +294,39 @@ void Finder::find_on_neck(const PatternEdge& edge) {
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
 }
 
+bool shows(const FoundEdge& edge) {
+  return edge.coverage >= kLeastCoverage && edge.score >= kLeastScore;
+}
+
+/// Does the garment's hem hang where the legs begin, lower than any crotch? Nothing but a skirt
+/// joins two legs there, so that a faint waist need not prove that one is worn.
+bool Finder::hem_joins_legs() const {
+  if (!body.fork_is_garment) return false;
+  for (const auto& [name, edge] : out.edges) {
+    if (edge.limb != "torso" || !edge.garment_above || !shows(edge.found)) continue;
+    double mean = 0;
+    for (const double s : edge.found.s) mean += s / static_cast<double>(edge.found.s.size());
+    if (mean > body.fork - kForkBelow && mean < body.fork + kForkAbove) return true;
+  }
+  return false;
+}
+
+void Finder::judge_torso() const {
+  if (!out.upper_body && hem_joins_legs()) return;
+  for (const auto& [name, edge] : out.edges)
+    if (edge.limb == "torso" && !edge.covered && said.count(name) == 0 && !shows(edge.found))
+      missing(name, edge.found);
+}
+
+void Finder::judge_sleeves() const {
+  if (!out.upper_body) return;
+  for (const auto& [name, edge] : out.edges)
+    if (edge.limb != "torso" && edge.limb != "neck" && shows(edge.found)) return;
+  throw NoGarmentError(
+      "no " + title +
+      " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
+}
+
 }  // namespace
 
 bool beside_torso(const LimbView& torso, const Vec3& p) {
@@ -307,8 +341,6 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const std::map<std::string, double>& said) {
   Finder finder{samples, body, pattern, title, taken, said, Resolution(samples), {}};
   finder.add_limbs();
-  double best_cuff = -1;
-  const FoundEdge* cuff = nullptr;
   for (const PatternEdge& edge : pattern.edges) {
     if (edge.limb == "torso")
       finder.find_on_torso(edge);
@@ -316,17 +348,9 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
       finder.find_on_neck(edge);
     else
       finder.find_on_arm(edge);
-    const auto it = finder.out.edges.find(edge.name);
-    if (it == finder.out.edges.end() || edge.limb == "torso" || edge.limb == "neck") continue;
-    if (it->second.found.coverage < kLeastCoverage || it->second.found.score < kLeastScore)
-      continue;
-    if (it->second.found.score > best_cuff)
-      best_cuff = it->second.found.score, cuff = &it->second.found;
   }
-  if (finder.out.upper_body && cuff == nullptr)
-    throw NoGarmentError(
-        "no " + title +
-        " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
+  finder.judge_torso();
+  finder.judge_sleeves();
   return std::move(finder.out);
 }
 

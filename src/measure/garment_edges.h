@@ -9,11 +9,19 @@
 
 namespace regarment {
 
+/// Another place where an edge may be.
+struct EdgeHypothesis {
+  FoundEdge edge;
+  double weight = 0;  // 0..1, how probable it is
+};
+
 /// A named edge of a garment on the scan.
 struct GarmentEdge {
-  std::string limb;           // "torso", "left_arm", "right_arm", "neck"
-  bool garment_above = true;  // the garment lies at larger s of the limb's axis
-  FoundEdge found;
+  std::string limb;                    // "torso", "left_arm", "right_arm", "neck"
+  bool garment_above = true;           // the garment lies at larger s of the limb's axis
+  FoundEdge found;                     // the most probable place
+  std::vector<EdgeHypothesis> rivals;  // the others, likeliest first; their weights and that of
+                                       // `found` add up to 1; empty when there is one answer
   bool covered =
       false;  // hidden by a garment that was taken off before: this is where it is cut off
 };
