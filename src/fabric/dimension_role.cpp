@@ -1,0 +1,70 @@
+#include "fabric/dimension_role.h"
+
+#include <algorithm>
+
+namespace regarment {
+namespace {
+
+// Whether a length grows with a dimension as that dimension itself.
+bool gives(const GarmentTemplate& garment, const Dimensions& dimensions, const std::string& formula,
+           const std::string& name) {
+  constexpr double kNudge = 1e-4;  // m
+  Dimensions more = dimensions;
+  more[name] += kNudge;
+  const double change = garment.evaluate(formula, more) - garment.evaluate(formula, dimensions);
+  return change > 0.5 * kNudge;
+}
+
+// Mean t of an edge of the flat pattern, m: small is high.
+double depth(const Pattern& pattern, const PatternEdge& edge) {
+  double sum = 0;
+  for (const int v : edge.vertices) sum += pattern.flat[static_cast<std::size_t>(v)].y();
+  return sum / static_cast<double>(edge.vertices.size());
+}
+
+// The highest edge round the trunk of a garment without a neckline.
+bool bears(const Pattern& pattern, const PatternEdge& edge) {
+  return std::all_of(pattern.edges.begin(), pattern.edges.end(), [&](const PatternEdge& other) {
+    return &other == &edge ||
+           (other.limb == "torso" && depth(pattern, other) > depth(pattern, edge));
+  });
+}
+
+DimensionRole edge_role(const Pattern& pattern, const std::string& name) {
+  const PatternEdge& edge = edge_named(pattern, name);
+  if (edge.limb != "torso") return DimensionRole::LimbEdge;
+  return bears(pattern, edge) ? DimensionRole::BearingEdge : DimensionRole::TorsoEdge;
+}
+
+DimensionRole role_seen(const Pattern& pattern, const Observation& observation) {
+  switch (observation.kind) {
+    case Observation::Kind::Girth:
+      return edge_role(pattern, observation.edge);
+    case Observation::Kind::GirthAtOffset:
+      return DimensionRole::Hoop;
+    case Observation::Kind::Fork:
+      return DimensionRole::Seam;
+    case Observation::Kind::Path:
+      break;
+  }
+  const bool on_limb = edge_named(pattern, observation.to_edge).limb != "torso";
+  return on_limb ? DimensionRole::LimbLength : DimensionRole::Length;
+}
+
+}  // namespace
+
+DimensionRole dimension_role(const GarmentTemplate& garment, const Dimensions& dimensions,
+                             const Pattern& pattern, const std::string& name) {
+  const bool round = garment.dimension(name).circumference;
+  bool found = false;
+  DimensionRole out = round ? DimensionRole::Hoop : DimensionRole::Length;
+  for (const Observation& observation : garment.observations()) {
+    if (!gives(garment, dimensions, observation.equals, name)) continue;
+    const DimensionRole role = role_seen(pattern, observation);
+    if (!found || role == DimensionRole::Hoop) out = role;
+    found = true;
+  }
+  return out;
+}
+
+}  // namespace regarment

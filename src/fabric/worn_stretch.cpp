@@ -1,0 +1,56 @@
+#include "fabric/worn_stretch.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "fabric/dimension_role.h"
+#include "fabric/hoop_bands.h"
+#include "fabric/stretch_prior.h"
+
+namespace regarment {
+namespace {
+
+void check(const Pattern& pattern, const std::vector<Vec3>& draped) {
+  if (draped.size() != pattern.flat.size()) {
+    throw InvalidInput("worn_stretch: " + std::to_string(draped.size()) + " positions for " +
+                       std::to_string(pattern.flat.size()) + " vertices of the pattern");
+  }
+  for (const Vec3& p : draped) {
+    if (!p.allFinite()) throw InvalidInput("worn_stretch: a position is not finite");
+  }
+}
+
+// Of a prior alone: the mean and the spread of exp(x) - 1, x log-normal and small.
+Stretch expected(const StretchPrior& prior) {
+  const double variance = prior.spread * prior.spread;
+  const double mean = prior.median * std::exp(0.5 * variance);
+  return {mean, mean * std::sqrt(std::expm1(variance))};
+}
+
+}  // namespace
+
+std::map<std::string, Stretch> worn_stretch(const GarmentTemplate& garment, const Dimensions& worn,
+                                            const Pattern& pattern, const std::vector<Vec3>& draped,
+                                            Fabric fabric) {
+  check(pattern, draped);
+  std::map<std::string, Stretch> out;
+  std::map<std::string, StretchPrior> priors;
+  std::vector<std::string> hoops, seams;
+  for (const Dimension& dimension : garment.dimensions()) {
+    const std::string& name = dimension.name;
+    const DimensionRole role = dimension_role(garment, worn, pattern, name);
+    priors[name] = stretch_prior(role, fabric);
+    out[name] = expected(priors[name]);
+    if (role == DimensionRole::Seam) seams.push_back(name);
+    if (dimension.circumference && role != DimensionRole::Seam) hoops.push_back(name);
+  }
+  for (const HoopFamily& family : hoop_families(garment, worn, pattern, draped, hoops, seams)) {
+    std::vector<StretchPrior> known;
+    for (const std::string& name : family.dimensions) known.push_back(priors[name]);
+    const std::vector<Stretch> explained = explain_bands(family, known);
+    for (std::size_t d = 0; d < explained.size(); ++d) out[family.dimensions[d]] = explained[d];
+  }
+  return out;
+}
+
+}  // namespace regarment
