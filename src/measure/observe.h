@@ -26,13 +26,16 @@ std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& b
 
 /// The dimensions that explain the observed lengths best (weighted least squares by Gauss-Newton
 /// from the typical ones, within the bounds), with their standard deviations. A dimension that no
-/// seen observation depends on keeps its typical value and is not observable.
+/// seen observation depends on keeps its typical value and is not observable. Those in `fixed` (m,
+/// by name, within their bounds) are known: they keep their value, without a deviation, and the
+/// others explain what is left.
 struct SolvedDimension {
   double value = 0;               // m
   double standard_deviation = 0;  // m
   bool observable = false;
 };
-std::map<std::string, SolvedDimension> solve_dimensions(
-    const GarmentTemplate& garment, const std::vector<ObservedLength>& observed);
+std::map<std::string, SolvedDimension> solve_dimensions(const GarmentTemplate& garment,
+                                                        const std::vector<ObservedLength>& observed,
+                                                        const Dimensions& fixed = {});
 
 }  // namespace regarment

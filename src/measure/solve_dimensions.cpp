@@ -13,11 +13,13 @@ constexpr double kTightCurvature = 1e-9;  // of a direction the observations say
 
 }  // namespace
 
-std::map<std::string, SolvedDimension> solve_dimensions(
-    const GarmentTemplate& garment, const std::vector<ObservedLength>& observed) {
+std::map<std::string, SolvedDimension> solve_dimensions(const GarmentTemplate& garment,
+                                                        const std::vector<ObservedLength>& observed,
+                                                        const Dimensions& fixed) {
   const std::vector<Dimension>& names = garment.dimensions();
   const auto n = static_cast<Eigen::Index>(names.size());
   Dimensions at = garment.typical();
+  for (const auto& [name, value] : fixed) at[name] = value;
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd touched = Eigen::VectorXd::Zero(n);
   for (int round = 0; round < 12; ++round) {
@@ -29,8 +31,13 @@ std::map<std::string, SolvedDimension> solve_dimensions(
       const double value = garment.evaluate(o.observation->equals, at);
       Eigen::VectorXd slope(n);
       for (Eigen::Index k = 0; k < n; ++k) {
+        const std::string& name = names[static_cast<std::size_t>(k)].name;
+        if (fixed.contains(name)) {
+          slope[k] = 0;
+          continue;
+        }
         Dimensions moved = at;
-        moved[names[static_cast<std::size_t>(k)].name] += kDifference;
+        moved[name] += kDifference;
         slope[k] = (garment.evaluate(o.observation->equals, moved) - value) / kDifference;
       }
       const double weight = 1 / (o.standard_deviation * o.standard_deviation);
@@ -53,6 +60,7 @@ std::map<std::string, SolvedDimension> solve_dimensions(
     s.observable = touched[k] > kTightCurvature;
     s.value = s.observable ? at[d.name] : d.typical;
     s.standard_deviation = s.observable ? std::sqrt(covariance(k, k)) : (d.upper - d.lower) / 4;
+    if (fixed.contains(d.name)) s = {fixed.at(d.name), 0.0, true};
     out[d.name] = s;
   }
   return out;

@@ -77,6 +77,26 @@ TEST_P(SolveDimensions, DeviationsScaleWithThoseOfTheObservations) {
         << name;
 }
 
+TEST_P(SolveDimensions, FitsTheOthersAroundWhatIsFixed) {
+  const GarmentTemplate garment = find_template(GetParam());
+  Dice dice(43);
+  for (int k = 0; k < 20; ++k) {
+    const Dimensions truth = random_dimensions(garment, dice);
+    const std::string& name = garment.dimensions()[k % garment.dimensions().size()].name;
+    // The truth held is the truth found, also of what was not seen.
+    auto solved =
+        solve_dimensions(garment, observed_at(garment, truth, 0.005), {{name, truth.at(name)}});
+    for (const auto& [other, value] : truth) EXPECT_NEAR(solved.at(other).value, value, 1e-5);
+    // Something else held stays what it is, whatever was seen.
+    const Dimension& d = garment.dimension(name);
+    const double held = 0.5 * (d.lower + d.upper);
+    solved = solve_dimensions(garment, observed_at(garment, truth, 0.005), {{name, held}});
+    EXPECT_EQ(solved.at(name).value, held);
+    EXPECT_EQ(solved.at(name).standard_deviation, 0);
+    EXPECT_TRUE(solved.at(name).observable);
+  }
+}
+
 TEST_P(SolveDimensions, StaysWithinTheBounds) {
   const GarmentTemplate garment = find_template(GetParam());
   for (const double scale : {0.05, 20.0}) {
