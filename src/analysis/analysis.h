@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/fit_trace.h"
+#include "garment/fabric.h"
 #include "garment/pattern.h"
 #include "scan/scan.h"
 
@@ -17,9 +18,16 @@ struct Measurement {
   double flat = 0.0;             // the flat garment, as a tape reads it on a table
   double low = 0.0, high = 0.0;  // 90 % interval of `flat`
   std::optional<double> worn;    // the same line as it lies on the body
+  bool fixed = false;            // a person knows it: `flat` is what they said, held exactly
   bool observable = true;        // false: the scan says nothing, `flat` is a typical value
   std::optional<double> truth;   // given by the user
   std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
+};
+
+/// Another place where an edge may as well lie.
+struct EdgeRival {
+  double height = 0;  // m above the floor, mean over the curve
+  double weight = 0;  // how probable it is, 0..1
 };
 
 /// A garment edge found on the scan, as a closed curve.
@@ -29,6 +37,8 @@ struct EdgeCurve {
   double standard_error = 0;  // m, of the curve's position across the edge
   double coverage = 0;        // share of the loop, by angle, where the scan shows the edge, 0..1
   std::string evidence;       // what showed it: "step", "colour", "drop", "crease", ...
+  // Of edges round the trunk, most probable first; with the edge itself their weights add up to 1.
+  std::vector<EdgeRival> rivals = {};
 };
 
 struct GarmentAnalysis {
@@ -41,8 +51,9 @@ struct GarmentAnalysis {
   std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
   std::size_t vertices_labelled = 0;
-  double mean_distance = 0.0;  // m, draped garment to the scan, area-weighted mean
-  double mean_stretch = 1.0;   // mean of spring length over rest length
+  double mean_distance = 0.0;        // m, draped garment to the scan, area-weighted mean
+  double mean_stretch = 1.0;         // mean of spring length over rest length
+  std::optional<double> silhouette;  // E_sil of Eq. (1) for the draped garment
   /// Per scan vertex, m: from the draped garment to the vertex, positive outside of the garment;
   /// NaN where the vertex is not this garment's. Empty when the method drapes nothing.
   std::vector<float> deviation;
@@ -59,6 +70,7 @@ struct StageTime {
 struct Analysis {
   Scan scan;
   std::string method;                     // "direct"
+  Fabric fabric = Fabric::Unknown;        // as a person said
   std::vector<GarmentAnalysis> garments;  // outermost first
   std::vector<std::uint8_t> labels;       // per vertex: 0 person, i = i-th garment
   std::vector<float> label_probability;   // per vertex: how sure the label is, 0.5..1

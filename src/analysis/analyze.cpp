@@ -1,5 +1,6 @@
 #include "analysis/analyze.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/advice.h"
@@ -7,6 +8,7 @@
 #include "analysis/stage.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "garment/hold_dimensions.h"
 
 namespace regarment {
 namespace {
@@ -29,6 +31,25 @@ void AnalyzeOptions::check() const {
     throw InvalidInput("AnalyzeOptions: sample_spacing must lie between 0.001 and 0.05 m");
 }
 
+const Dimensions& fixed_of(const AnalyzeOptions& options, const GarmentTemplate& garment) {
+  static const Dimensions kNone;
+  const auto found = options.fixed.find(garment.name());
+  return found == options.fixed.end() ? kNone : found->second;
+}
+
+void check_fixed(const AnalyzeOptions& options, const std::vector<GarmentTemplate>& templates) {
+  for (const auto& [name, dimensions] : options.fixed) {
+    const auto garment = std::find_if(templates.begin(), templates.end(),
+                                      [&name = name](const auto& t) { return t.name() == name; });
+    if (garment == templates.end())
+      throw UsageError("a dimension of " + name + " is fixed, which is not asked for");
+    nearest_holding(*garment, garment->typical(), dimensions);
+    if (options.method == Method::Annealing && dimensions.size() == garment->dimensions().size())
+      throw UsageError("all dimensions of " + name +
+                       " are fixed; leave one for --method annealing to search, or use another");
+  }
+}
+
 Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
                  const AnalyzeOptions& options, const Progress& progress) {
   options.check();
@@ -36,12 +57,14 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
     throw UsageError("no garment asked for; give --garment NAME, outermost first");
   if (templates.size() > kMostGarments)
     throw UsageError("more than 8 garments asked for; give the visible ones");
+  check_fixed(options, templates);
   if (scan.thin) {
     Analysis of_thin = analyze(scan.thin->scan, templates, options, progress);
     return spread_over(std::move(of_thin), std::move(scan));
   }
   Analysis analysis;
   analysis.method = method_name(options.method);
+  analysis.fabric = options.fabric;
   Stopwatch watch;
   progress.report("place", 0.0);
   const double spacing =
@@ -68,6 +91,7 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   for (std::size_t f = 0; f < stage.cap.size(); ++f)
     if (stage.cap[f])
       for (std::uint32_t v : scan.mesh.triangles[f]) stage.labels.probability[v] = 0.5F;
+  judge_outlines(scan, stage.cap, analysis.garments);
   progress.report(stage_name, 1.0);
   analysis.times.push_back({stage_name, watch.lap()});
   analysis.cap = std::move(stage.cap);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "analysis/analysis.h"
 #include "base/progress.h"
 #include "fit/fit_garment.h"
+#include "garment/fabric.h"
 #include "placement/placement_file.h"
 
 namespace regarment {
@@ -30,7 +32,12 @@ struct AnalyzeOptions {
   bool hold_edges = true;
   // Surface invented under a hem is found and left out of the fit; false: it attracts (Fig. 5).
   bool cap_detection = true;
-  PlacementOverrides placement;  // what a person said about landmarks and edges
+  // What a person said about landmarks and edges. An edge may be named "skirt.waist", by template,
+  // where the plain name would mean several garments; this counts more than the plain one.
+  PlacementOverrides placement;
+  // Dimensions a person knows, m, by template name: held exactly, the others fit around them.
+  std::map<std::string, Dimensions> fixed;
+  Fabric fabric = Fabric::Unknown;  // how far worn cloth stretches
   // Length of the sides of the pattern's triangles, m. Smaller follows folds closer and costs time.
   double pattern_edge_length = 0.025;
   // Greatest distance between samples on a mesh, m. Smaller sees finer edges and costs time.
@@ -39,9 +46,16 @@ struct AnalyzeOptions {
   void check() const;  // throws InvalidInput naming the field and its value
 };
 
+/// The dimensions that are fixed for a template; empty when none are.
+const Dimensions& fixed_of(const AnalyzeOptions& options, const GarmentTemplate& garment);
+
+/// Throws UsageError when `options.fixed` names a template that is not among `templates`, holds
+/// what no garment can have, or leaves a method that searches nothing to search.
+void check_fixed(const AnalyzeOptions& options, const std::vector<GarmentTemplate>& templates);
+
 /// Finds the garments of `templates` (outermost first) on a scan.
-/// Throws NoPersonError, NoGarmentError with the evidence, UsageError for an empty list or more
-/// than 8 garments, Stopped when progress says so.
+/// Throws NoPersonError, NoGarmentError with the evidence, Stopped when progress says so, and
+/// UsageError for an empty list, more than 8 garments or what check_fixed() refuses.
 Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
                  const AnalyzeOptions& options = {}, const Progress& progress = {});
 

@@ -5,27 +5,13 @@
 #include "analysis/stage.h"
 #include "base/error.h"
 #include "fit/fit_garment.h"
+#include "garment/hold_dimensions.h"
 #include "geometry/parallel.h"
 #include "segmentation/caps.h"
 #include "segmentation/segment_by_distance.h"
 
 namespace regarment {
 namespace {
-
-/// What of the scan neither attracts the cloth nor shows in silhouettes: outliers, and the caps
-/// that a reconstruction put under a hem, which the paper's authors cut out by hand (Fig. 5).
-std::vector<std::uint8_t> masked_parts(const Scan& scan, const std::vector<std::uint8_t>& caps) {
-  if (scan.mesh.is_cloud()) return scan.outlier;
-  std::vector<std::uint8_t> masked(scan.mesh.triangles.size(), 0);
-  for (std::size_t t = 0; t < masked.size(); ++t) {
-    const Triangle& corners = scan.mesh.triangles[t];
-    masked[t] = (t < caps.size() && caps[t] != 0) ||
-                std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-                  return !scan.outlier.empty() && scan.outlier[v] != 0;
-                });
-  }
-  return masked;
-}
 
 /// How far each vertex labelled as this garment's lies outside of the draped garment.
 std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment,
@@ -68,13 +54,19 @@ constexpr double kPublishedHalf = 0.0598;
 /// best, and never narrower than what was published of the method. What no length seen on the scan
 /// speaks of, such as a waist under a T-shirt, is not observable whatever the search came to.
 std::vector<Measurement> measurements_of(const GarmentTemplate& garment, const GarmentFit& fit,
-                                         const std::map<std::string, SolvedDimension>& seen) {
+                                         const std::map<std::string, SolvedDimension>& seen,
+                                         const Dimensions& fixed) {
   std::vector<Measurement> out;
   for (std::size_t k = 0; k < garment.dimensions().size(); ++k) {
     const Dimension& d = garment.dimensions()[k];
     Measurement m;
     m.name = d.name, m.code = d.code;
-    m.flat = fit.dimensions.at(d.name);
+    m.flat = m.low = m.high = fit.dimensions.at(d.name);
+    m.fixed = fixed.contains(d.name);
+    if (m.fixed) {
+      out.push_back(m);
+      continue;
+    }
     m.low = m.flat - kPublishedHalf, m.high = m.flat + kPublishedHalf;
     for (const FitRun& run : fit.trace.runs)
       for (std::size_t e = 0; e < run.evaluations.size(); ++e) {
@@ -98,7 +90,8 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   GarmentAnalysis out;
   out.template_name = garment.name();
   out.layer = layer;
-  const Dimensions start = garment.typical();
+  const Dimensions& fixed = fixed_of(stage.options, garment);
+  const Dimensions start = nearest_holding(garment, garment.typical(), fixed);
   out.pattern = make_pattern(garment, start, stage.options.pattern_edge_length);
   const auto [edges, cloth, observed] = look_for(garment, out.pattern, layer, stage);
   const std::vector<std::uint8_t> caps =
@@ -108,16 +101,17 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
 
   const FitTarget target(scan.mesh, masked_parts(scan, caps), kCloudSpacing * scan.facts.spacing,
                          stage.options.fit.silhouette_size);
-  const GarmentFit fit =
-      fit_garment(garment, start, out.pattern, out.placed, target,
-                  stage.options.hold_edges ? held_edges(out) : std::vector<HeldEdge>{},
-                  stage.options.fit, progress);
+  FitOptions how = stage.options.fit;
+  how.fixed = fixed;
+  const GarmentFit fit = fit_garment(
+      garment, start, out.pattern, out.placed, target,
+      stage.options.hold_edges ? held_edges(out) : std::vector<HeldEdge>{}, how, progress);
   out.dimensions = fit.dimensions;
   move_pattern(garment, out.dimensions, out.pattern);
   out.draped = fit.draped;
   out.trace = fit.trace;
   out.terms = fit.terms;
-  out.measurements = measurements_of(garment, fit, solve_dimensions(garment, observed));
+  out.measurements = measurements_of(garment, fit, solve_dimensions(garment, observed), fixed);
   judge_drape(stage, cloth, out);
   segment_by_distance(scan, out.pattern, out.draped, stage.options.segment_distance, layer,
                       stage.labels);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "analysis/stage.h"
+#include "garment/hold_dimensions.h"
 #include "measure/garment_region.h"
 #include "measure/lay_on_scan.h"
 #include "measure/observe.h"
@@ -21,10 +22,12 @@ bool is_tight(const ObservedLength& o, const GarmentEdges& edges) {
 }
 
 Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
-                           const std::vector<ObservedLength>& observed, const GarmentEdges& edges) {
+                           const std::vector<ObservedLength>& observed, const GarmentEdges& edges,
+                           bool fixed) {
   Measurement m;
   m.name = d.name, m.code = d.code;
   m.flat = solved.value;
+  m.fixed = fixed;
   m.observable = solved.observable;
   m.low = std::max(d.lower, m.flat - kNormal90 * solved.standard_deviation);
   m.high = std::min(d.upper, m.flat + kNormal90 * solved.standard_deviation);
@@ -37,11 +40,14 @@ Measurement measurement_of(const Dimension& d, const SolvedDimension& solved,
     if (!o.seen || o.observation->equals != d.name) continue;
     const double w = 1 / (o.standard_deviation * o.standard_deviation);
     sum += w * o.value, weight += w;
-    if (is_tight(o, edges))
+    if (!fixed && is_tight(o, edges))
       m.low =
           std::min(m.low, m.flat * (1 - kFabricStretch) - kNormal90 * solved.standard_deviation);
   }
-  m.worn = weight > 0 ? sum / weight : solved.value;
+  if (weight > 0)
+    m.worn = sum / weight;
+  else if (!fixed)
+    m.worn = solved.value;
   return m;
 }
 
@@ -54,12 +60,14 @@ GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment
   out.layer = layer;
   out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
   const auto [edges, cloth, observed] = look_for(garment, out.pattern, layer, stage);
-  const auto solved = solve_dimensions(garment, observed);
+  const Dimensions& fixed = fixed_of(stage.options, garment);
+  const auto solved = solve_dimensions(garment, observed, fixed);
   for (const Dimension& d : garment.dimensions()) {
-    out.measurements.push_back(measurement_of(d, solved.at(d.name), observed, edges));
+    out.measurements.push_back(
+        measurement_of(d, solved.at(d.name), observed, edges, fixed.contains(d.name)));
     out.dimensions[d.name] = solved.at(d.name).value;
   }
-  out.dimensions = garment.nearest_possible(out.dimensions);
+  out.dimensions = nearest_holding(garment, out.dimensions, fixed);
   move_pattern(garment, out.dimensions, out.pattern);
   out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));
   out.edges = edge_curves(edges);

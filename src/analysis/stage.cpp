@@ -16,11 +16,26 @@ namespace {
 
 constexpr double kLeastLength = 0.5;  // of the template's shortest: two edges nearer are one
 
+/// Heights that a person gave for edges of this garment, by the edge's name.
+std::map<std::string, double> said_of(const PlacementOverrides& placement,
+                                      const std::string& garment) {
+  std::map<std::string, double> out;
+  const std::string own = garment + ".";
+  for (const auto& [name, height] : placement.edges) {
+    if (name.starts_with(own)) {
+      out[name.substr(own.size())] = height;
+    } else {
+      out.emplace(name, height);
+    }
+  }
+  return out;
+}
+
 GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentTemplate& garment,
                       int layer) {
   return find_garment_edges(stage.samples, stage.body, pattern, garment.name(),
                             layer > 1 ? stage.taken : std::vector<std::uint8_t>{},
-                            stage.options.placement.edges);
+                            said_of(stage.options.placement, garment.name()));
 }
 
 std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region) {

@@ -52,6 +52,15 @@ std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges);
 /// over rest length.
 void judge_drape(const Stage& stage, const std::vector<std::uint8_t>& cloth, GarmentAnalysis& out);
 
+/// What of the scan neither attracts cloth nor shows in silhouettes: outliers, and the caps that a
+/// reconstruction put under a hem, which the paper's authors cut out by hand (Fig. 5). Per triangle
+/// of a mesh, per point of a cloud. `caps`: per triangle, or empty.
+std::vector<std::uint8_t> masked_parts(const Scan& scan, const std::vector<std::uint8_t>& caps);
+
+/// E_sil of Eq. (1) at the result, for the garments that no search has judged already.
+void judge_outlines(const Scan& scan, const std::vector<std::uint8_t>& caps,
+                    std::vector<GarmentAnalysis>& garments);
+
 /// Marks the samples as this garment's, its caps as caps, and counts its vertices.
 void take(Stage& stage, const std::vector<std::uint8_t>& cloth,
           const std::vector<std::uint8_t>& caps, GarmentAnalysis& out);

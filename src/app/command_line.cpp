@@ -66,6 +66,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
   fit->add_option("--ground-truth-labels", a.ground_truth_labels,
                   "True labels, one byte per vertex");
+  add_known_options(*fit, a.known);
   add_annealing_options(*fit, a.annealing);
   add_speech(*fit, a.speech);
   return fit;
@@ -157,6 +158,7 @@ void check(const FitArguments& a) {
   check_value("--out", a.out);
   for (const std::string& garment : a.garments) check_value("--garment", garment);
   if (a.garments.size() > 8) throw UsageError("--garment: more than 8 layers; give fewer");
+  check_known(a.known);
   if (a.placement) check_value("--placement", *a.placement);
   if (a.ground_truth) check_value("--ground-truth", *a.ground_truth);
   if (a.ground_truth_labels) check_value("--ground-truth-labels", *a.ground_truth_labels);

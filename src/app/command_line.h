@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/known_options.h"
+
 namespace regarment {
 
 /// How a command speaks.
@@ -37,6 +39,7 @@ struct FitArguments {
   std::uint64_t seed = 1;
   int threads = 0;  // 0: as many as the machine has
   AnnealingArguments annealing;
+  KnownArguments known;
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
 };
 

@@ -7,6 +7,7 @@
 #include "evaluation/evaluate.h"
 #include "evaluation/evaluation_json.h"
 #include "evaluation/gate.h"
+#include "garment/find_template.h"
 
 namespace regarment {
 namespace {
@@ -24,6 +25,11 @@ void check_fit_command(const std::vector<std::string>& command,
   if (fit == nullptr || fit->garments != garments) {
     throw UsageError("options of fits may not name garments or ask for help");
   }
+  if (fit->known.fix.empty() && fit->known.hint.empty()) return;
+  AnalyzeOptions how;
+  std::vector<GarmentTemplate> templates;
+  for (const std::string& name : garments) templates.push_back(find_template(name));
+  apply_known(fit->known, templates, how);
 }
 
 EvaluateOptions evaluate_options(const EvaluateArguments& a) {

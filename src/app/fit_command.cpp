@@ -50,19 +50,22 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
   if (a.method == "annealing") {
     for (auto& option : chosen_annealing(a.annealing)) out.push_back(std::move(option));
   }
+  for (auto& option : chosen_known(a.known)) out.push_back(std::move(option));
   add_file("placement", a.placement);
   add_file("ground-truth", a.ground_truth);
   add_file("ground-truth-labels", a.ground_truth_labels);
   return out;
 }
 
-AnalyzeOptions analyze_options(const FitArguments& a, int threads) {
+AnalyzeOptions analyze_options(const FitArguments& a, const std::vector<GarmentTemplate>& templates,
+                               int threads) {
   AnalyzeOptions how;
   if (a.placement) how.placement = read_placement(*a.placement);
   if (a.method == "annealing") how.method = Method::Annealing;
   apply_annealing(a.annealing, how);
   how.fit.seed = a.seed;
   how.fit.threads = threads;
+  apply_known(a.known, templates, how);
   return how;
 }
 
@@ -96,7 +99,7 @@ void run_fit(const FitArguments& a, Console& console) {
   std::vector<TruthRow> truth;
   if (a.ground_truth) truth = read_ground_truth(*a.ground_truth, a.scan);
   const int threads = thread_count(a);
-  const AnalyzeOptions how = analyze_options(a, threads);
+  const AnalyzeOptions how = analyze_options(a, templates, threads);
   const Progress progress = console.progress();
   ReportOptions options = report_options(a, threads);
 

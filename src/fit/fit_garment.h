@@ -28,6 +28,7 @@ struct FitOptions {
   // which cloth wrecked by a bad trial does not survive.
   bool start_from_best = true;
   bool square_root = true;  // of the stretch term, as printed in Eq. (1)
+  Dimensions fixed;  // m, by name: not searched but held; at least one dimension is left to search
 
   void check() const;  // throws InvalidInput naming the field and its value
 };
@@ -47,7 +48,8 @@ struct GarmentFit {
 /// lies on the body (place_garment). `held`: edges whose place on the scan is known. The drape of a
 /// trial starts from that of the trial before. Progress says run, evaluation, smallest error and
 /// the time left. The same bytes for any number of threads. Throws NoGarmentError when no drape
-/// shows a silhouette, InvalidInput, Stopped.
+/// shows a silhouette, UsageError when no garment has the dimensions that are fixed, InvalidInput,
+/// Stopped.
 GarmentFit fit_garment(const GarmentTemplate& garment, const Dimensions& start,
                        const Pattern& pattern, const std::vector<Vec3>& placed,
                        const FitTarget& target, const std::vector<HeldEdge>& held,

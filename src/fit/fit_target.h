@@ -2,9 +2,8 @@
 
 #include <vector>
 
+#include "fit/person_outline.h"
 #include "geometry/closest_point.h"
-#include "render/camera.h"
-#include "render/silhouette.h"
 
 namespace regarment {
 
@@ -22,13 +21,12 @@ class FitTarget {
             int silhouette_size);
 
   const ClosestPoint& surface() const { return surface_; }
-  const std::vector<Silhouette>& silhouettes() const { return silhouettes_; }
-  const std::vector<Camera>& cameras() const { return cameras_; }
+  const std::vector<Silhouette>& silhouettes() const { return outline_.silhouettes; }
+  const std::vector<Camera>& cameras() const { return outline_.cameras; }
 
  private:
   ClosestPoint surface_;
-  std::vector<Camera> cameras_;  // front, left, back, right
-  std::vector<Silhouette> silhouettes_;
+  PersonOutline outline_;
 };
 
 }  // namespace regarment

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "garment/hold_dimensions.h"
+
 namespace regarment {
 
 using Eigen::VectorXd;
@@ -10,15 +12,16 @@ using Eigen::VectorXd;
 Dimensions Setting::dimensions_at(const VectorXd& at) const {
   Dimensions out;
   Eigen::Index i = 0;
-  for (const Dimension& d : garment.dimensions()) out[d.name] = at[i++];
-  return garment.nearest_possible(out);
+  for (const Dimension& d : garment.dimensions())
+    if (!options.fixed.contains(d.name)) out[d.name] = at[i++];
+  return nearest_holding(garment, out, options.fixed);
 }
 
 VectorXd Setting::per_dimension(const std::function<double(const Dimension&)>& value) const {
-  VectorXd out(static_cast<Eigen::Index>(garment.dimensions().size()));
-  Eigen::Index i = 0;
-  for (const Dimension& d : garment.dimensions()) out[i++] = value(d);
-  return out;
+  std::vector<double> out;
+  for (const Dimension& d : garment.dimensions())
+    if (!options.fixed.contains(d.name)) out.push_back(value(d));
+  return Eigen::Map<const VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
 Beginning near(const Setting& setting, const Dimensions& dimensions, Random& random) {

@@ -20,9 +20,9 @@ struct Setting {
 
   Trial new_trial() const { return {garment, pattern, placed, target, held, options.drape}; }
 
-  /// The garment nearest to a point of the search that can be made.
+  /// The garment nearest to a point of the search that can be made, with what is fixed.
   Dimensions dimensions_at(const Eigen::VectorXd& at) const;
-  /// One value per dimension, in the template's order.
+  /// One value per dimension that is searched, in the template's order.
   Eigen::VectorXd per_dimension(const std::function<double(const Dimension&)>& value) const;
 };
 

@@ -33,6 +33,7 @@ ResultMeasurement read_measurement(const Json& j) {
   j.at("interval_cm").at(0).get_to(m.low_cm);
   j.at("interval_cm").at(1).get_to(m.high_cm);
   j.at("observable").get_to(m.observable);
+  j.at("fixed").get_to(m.fixed);
   m.worn_cm = optional_number(j, "worn_cm");
   m.truth_cm = optional_number(j, "truth_cm");
   m.published_cm = optional_number(j, "published_cm");
@@ -104,6 +105,13 @@ ResultDeviation read_deviation(const Json& j, const std::string& where) {
   return d;
 }
 
+ResultEdge read_edge(const Json& j) {
+  ResultEdge e{j.at("name"),     j.at("evidence"),  j.at("standard_error_mm"),
+               j.at("coverage"), j.at("length_cm"), j.at("height_cm")};
+  for (const Json& r : j.at("rivals")) e.rivals.push_back({r.at("height_cm"), r.at("weight")});
+  return e;
+}
+
 ResultGarment read_garment(const Json& j, const std::string& where) {
   ResultGarment g;
   j.at("template").get_to(g.template_name);
@@ -111,12 +119,10 @@ ResultGarment read_garment(const Json& j, const std::string& where) {
   j.at("layer").get_to(g.layer);
   j.at("error").at("distance_m").get_to(g.mean_distance_m);
   j.at("error").at("stretch").get_to(g.mean_stretch);
+  g.silhouette = optional_number(j.at("error"), "silhouette");
   j.at("vertices_labelled").get_to(g.vertices_labelled);
   for (const Json& m : j.at("measurements")) g.measurements.push_back(read_measurement(m));
-  for (const Json& e : j.at("edges")) {
-    g.edges.push_back({e.at("name"), e.at("evidence"), e.at("standard_error_mm"), e.at("coverage"),
-                       e.at("length_cm"), e.at("height_cm")});
-  }
+  for (const Json& e : j.at("edges")) g.edges.push_back(read_edge(e));
   if (j.contains("search") != !j.at("runs").empty()) {
     contradiction(where, ": has a search without runs, or runs without a search");
   }
@@ -181,6 +187,7 @@ Result parse_result(const std::string& text, const std::string& name) {
   const Json j = Json::parse(text);
   Result r;
   read_program(j.at("program"), r);
+  j.at("fabric").get_to(r.fabric);
   r.scan = read_scan(j.at("scan"));
   for (const Json& g : j.at("garments")) {
     r.garments.push_back(

@@ -56,10 +56,24 @@ ResultMeasurement result_measurement(const Measurement& m, const GarmentTemplate
   out.high_cm = cm(m.high);
   out.worn_cm = cm(m.worn);
   out.observable = m.observable;
+  out.fixed = m.fixed;
   out.truth_cm = cm(m.truth);
   out.published_cm = cm(m.published);
   out.tol_minus_cm = cm(m.tol_minus);
   out.tol_plus_cm = cm(m.tol_plus);
+  return out;
+}
+
+ResultEdge result_edge(const EdgeCurve& edge) {
+  ResultEdge out;
+  out.name = edge.name;
+  out.evidence = edge.evidence;
+  out.standard_error_mm = finite(edge.standard_error * 1000.0, "a standard error");
+  out.coverage = finite(edge.coverage, "a coverage");
+  out.length_cm = cm(loop_length(edge.points));
+  out.height_cm = cm(mean_height(edge.points));
+  for (const EdgeRival& rival : edge.rivals)
+    out.rivals.push_back({cm(rival.height), finite(rival.weight, "a weight")});
   return out;
 }
 
@@ -73,18 +87,15 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
   for (const Measurement& m : garment.measurements) {
     out.measurements.push_back(result_measurement(m, of));
   }
-  for (const EdgeCurve& edge : garment.edges) {
-    out.edges.push_back({edge.name, edge.evidence,
-                         finite(edge.standard_error * 1000.0, "a standard error"),
-                         finite(edge.coverage, "a coverage"), cm(loop_length(edge.points)),
-                         cm(mean_height(edge.points))});
-  }
+  for (const EdgeCurve& edge : garment.edges) out.edges.push_back(result_edge(edge));
   out.mean_distance_m = rounded(finite(garment.mean_distance * 1e4, "a distance") / 1e4, 7);
   out.mean_stretch = finite(garment.mean_stretch, "a stretch");
+  if (garment.silhouette) out.silhouette = finite(*garment.silhouette, "a silhouette error");
   if (garment.trace) {
     out.search = make_search(garment, of);
     out.mean_distance_m = out.search->terms.distance;
     out.mean_stretch = out.search->terms.stretch;
+    out.silhouette = out.search->terms.silhouette;
   }
   out.deviation = summarize_deviation(garment.deviation, range);
   out.vertices_labelled = garment.vertices_labelled;
@@ -198,6 +209,7 @@ Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>&
   Result out;
   out.version = version();
   out.method = analysis.method;
+  out.fabric = fabric_name(analysis.fabric);
   out.seed = options.seed;
   out.options = options.options;
   for (auto& [name, value] : out.options) value = one_line(value, 4096);

@@ -33,6 +33,7 @@ struct ResultMeasurement {
   double value_cm = 0, low_cm = 0, high_cm = 0;
   std::optional<double> worn_cm;
   bool observable = true;
+  bool fixed = false;  // given by a person and held
   std::optional<double> truth_cm, published_cm, tol_minus_cm, tol_plus_cm;
 
   std::optional<double> error_cm() const;  // value - truth
@@ -41,9 +42,15 @@ struct ResultMeasurement {
   std::optional<bool> within_tolerance() const;
 };
 
+/// Another height at which an edge may as well lie.
+struct ResultRival {
+  double height_cm = 0, weight = 0;
+};
+
 struct ResultEdge {
   std::string name, evidence;
   double standard_error_mm = 0, coverage = 0, length_cm = 0, height_cm = 0;
+  std::vector<ResultRival> rivals = {};  // most probable first
 };
 
 struct ResultGarment {
@@ -52,6 +59,7 @@ struct ResultGarment {
   std::vector<ResultMeasurement> measurements;
   std::vector<ResultEdge> edges;
   double mean_distance_m = 0, mean_stretch = 1;
+  std::optional<double> silhouette;          // E_sil, of a garment that lies on the scan
   std::optional<ResultSearch> search;        // of the methods that search
   std::optional<ResultDeviation> deviation;  // of the methods that drape
   std::size_t vertices_labelled = 0;
@@ -80,6 +88,7 @@ struct Result {
   std::uint64_t seed = 1;
   std::vector<std::pair<std::string, std::string>> options;
   std::optional<int> threads;
+  std::string fabric = "unknown";  // as a person said
   ResultScan scan;
   std::vector<ResultGarment> garments;
   std::size_t person = 0, unsure = 0;       // vertices

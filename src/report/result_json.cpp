@@ -70,7 +70,8 @@ Json measurement_json(const ResultMeasurement& m) {
               {"value_cm", m.value_cm},
               {"interval_cm", {m.low_cm, m.high_cm}},
               {"worn_cm", maybe(m.worn_cm)},
-              {"observable", m.observable}};
+              {"observable", m.observable},
+              {"fixed", m.fixed}};
   put(out, "truth_cm", m.truth_cm);
   put(out, "error_cm", m.error_cm());
   put(out, "published_cm", m.published_cm);
@@ -80,25 +81,26 @@ Json measurement_json(const ResultMeasurement& m) {
 }
 
 Json edge_json(const ResultEdge& e) {
+  Json rivals = Json::array();
+  for (const ResultRival& r : e.rivals)
+    rivals.push_back({{"height_cm", r.height_cm}, {"weight", r.weight}});
   return {{"name", e.name},
           {"evidence", e.evidence},
           {"standard_error_mm", e.standard_error_mm},
           {"coverage", e.coverage},
           {"length_cm", e.length_cm},
-          {"height_cm", e.height_cm}};
+          {"height_cm", e.height_cm},
+          {"rivals", rivals}};
 }
 
 Json error_json(const ResultGarment& g) {
-  // The direct method measures and does not search: no total and no silhouette.
-  Json total, silhouette;
-  if (g.search) {
-    total = g.search->total;
-    silhouette = g.search->terms.silhouette;
-  }
+  // Without a search the terms have no weights and no total.
+  Json total;
+  if (g.search) total = g.search->total;
   return {{"total", total},
           {"distance_m", g.mean_distance_m},
           {"stretch", g.mean_stretch},
-          {"silhouette", silhouette}};
+          {"silhouette", maybe(g.silhouette)}};
 }
 
 Json search_json(const ResultSearch& s) {
@@ -181,6 +183,7 @@ std::string result_json(const Result& r) {
   for (const StoredFigure& f : r.figures) figures.push_back(figure_json(f));
   Json out = {{"schema", "regarment.result/1"},
               {"program", program_json(r)},
+              {"fabric", r.fabric},
               {"scan", scan_json(r.scan)},
               {"garments", garments},
               {"segmentation", segmentation_json(r)},

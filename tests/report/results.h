@@ -34,6 +34,7 @@ inline ResultGarment skirt_result() {
   length.tol_plus_cm = 0.5;
   auto& width = add("width", "S02", "Sweep", true, 112.5, 1.5);
   width.worn_cm = 112.4;
+  width.fixed = true;
   width.truth_cm = 110.0;
   width.tol_minus_cm = 1.0;
   width.tol_plus_cm = 2.0;
@@ -41,7 +42,9 @@ inline ResultGarment skirt_result() {
   waist.worn_cm = 80.1;
   waist.truth_cm = 78.0;
   add("hip", "S04", "Hip", true, 96.0, 10.0).observable = false;
-  skirt.edges = {{"waist", "step", 2.4, 0.93, 80.1, 101.5}, {"hem", "drop", 0.8, 1.0, 112.4, 47.9}};
+  skirt.silhouette = 5.25;
+  skirt.edges = {{"waist", "step", 2.4, 0.93, 80.1, 101.5, {{105.75, 0.3}, {98.0, 0.125}}},
+                 {"hem", "drop", 0.8, 1.0, 112.4, 47.9}};
   skirt.mean_distance_m = 0.0012;
   skirt.mean_stretch = 1.004;
   skirt.vertices_labelled = 14000;
