@@ -140,6 +140,31 @@ std::string centimetres(double metres) {
   return text;
 }
 
+namespace {
+
+constexpr double kWorthSaying = 0.1;  // weight of a rival that a person should hear of
+
+/// Edges that may as well lie elsewhere, and how to say where.
+void warn_of_rivals(const GarmentTemplate& garment, const std::vector<EdgeCurve>& edges,
+                    std::vector<std::string>& warnings) {
+  for (const EdgeCurve& edge : edges) {
+    double height = 0;
+    for (const Vec3& p : edge.points) height += p.y() / static_cast<double>(edge.points.size());
+    for (const EdgeRival& rival : edge.rivals) {
+      if (rival.weight < kWorthSaying) continue;
+      char text[200];
+      std::snprintf(text, sizeof text,
+                    " may as well lie %.1f cm %s (weight %.2f); if so, give --hint %s.%s_edge=%.1f",
+                    100 * std::abs(rival.height - height),
+                    rival.height < height ? "lower" : "higher", rival.weight,
+                    garment.name().c_str(), edge.name.c_str(), 100 * rival.height);
+      warnings.push_back(garment.title() + ": its " + edge.name + text);
+    }
+  }
+}
+
+}  // namespace
+
 void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
                 const GarmentAnalysis& found, std::vector<std::string>& warnings) {
   for (const auto& [name, edge] : edges.edges) {
@@ -151,6 +176,7 @@ void warn_about(const GarmentTemplate& garment, const GarmentEdges& edges,
                          std::to_string(static_cast<int>(100 * edge.found.coverage)) +
                          " % of the loop only; check the pictures");
   }
+  warn_of_rivals(garment, found.edges, warnings);
   const auto left = edges.edges.find("left_cuff"), right = edges.edges.find("right_cuff");
   if (edges.upper_body && (left == edges.edges.end() || right == edges.edges.end()))
     warnings.push_back(garment.title() + ": one sleeve is not seen; the other one stands for both");

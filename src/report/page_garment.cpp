@@ -67,12 +67,31 @@ Gaps show_measurement(const ResultGarment& garment, const ResultMeasurement& m, 
   row.set_maybe("worn", cm(m.worn_cm));
   row.set("observable", m.observable);
   row.set("hidden", !m.observable);
+  row.set("fixed", m.fixed);
   show_interval(m, half, row);
   show_judgement(m, row);
   return row;
 }
 
-Gaps show_edge(const ResultEdge& edge) {
+/// "4.2 cm higher"
+std::string beside(double offset_cm) {
+  return cm(std::abs(offset_cm)) + "\u202fcm " + (offset_cm < 0 ? "lower" : "higher");
+}
+
+/// Where else the edge may lie, and how a person settles it. Of no edge with one answer.
+std::string rivals_in_words(const ResultGarment& garment, const ResultEdge& edge) {
+  std::string text;
+  for (const ResultRival& rival : edge.rivals) {
+    text += text.empty() ? "may as well lie " : ", or ";
+    text +=
+        beside(rival.height_cm - edge.height_cm) + " (weight " + fixed_text(rival.weight, 2) + ")";
+  }
+  if (text.empty()) return text;
+  return text + "; if so, give --hint " + garment.template_name + "." + edge.name +
+         "_edge=" + cm(edge.rivals.front().height_cm);
+}
+
+Gaps show_edge(const ResultGarment& garment, const ResultEdge& edge) {
   Gaps row;
   std::string name = edge.name;
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -82,6 +101,7 @@ Gaps show_edge(const ResultEdge& edge) {
   row.set("coverage", fixed_text(std::floor(edge.coverage * 100.0), 0));
   row.set("length", cm(edge.length_cm));
   row.set("height", cm(edge.height_cm));
+  row.set_maybe("rivals", rivals_in_words(garment, edge));
   return row;
 }
 
@@ -128,12 +148,13 @@ Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::s
                              }));
   gaps.set("with_hidden", any(garment, [](const auto& m) { return !m.observable; }));
   std::vector<Gaps> edges;
-  for (const ResultEdge& edge : garment.edges) edges.push_back(show_edge(edge));
+  for (const ResultEdge& edge : garment.edges) edges.push_back(show_edge(garment, edge));
   gaps.set("has_edges", !edges.empty());
   gaps.set("edges", std::move(edges));
   gaps.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
   gaps.set("stretched", garment.mean_stretch < 1.0 ? "compressed" : "stretched");
   gaps.set("stretch", fixed_text(std::abs(garment.mean_stretch - 1.0) * 100.0, 1));
+  gaps.set_maybe("silhouette", garment.silhouette ? fixed_text(*garment.silhouette, 2) : "");
   gaps.set("drawing", picture_of(drawing));
   gaps.set("drawing_in_words", in_words(garment));
   return gaps;

@@ -21,6 +21,7 @@ Tally tally(const Result& result) {
       ++out.dimensions;
       if (!m.observable) continue;
       ++out.observable;
+      if (m.fixed) continue;
       out.half_widths.push_back((m.high_cm - m.low_cm) / 2.0);
       if (const auto error = m.error_cm()) out.errors.emplace_back(*error, m.title);
       if (const auto within = m.within_tolerance()) {

@@ -119,14 +119,16 @@ ResultGarment read_garment(const Json& j, const std::string& where) {
   j.at("layer").get_to(g.layer);
   j.at("error").at("distance_m").get_to(g.mean_distance_m);
   j.at("error").at("stretch").get_to(g.mean_stretch);
-  g.silhouette = optional_number(j.at("error"), "silhouette");
   j.at("vertices_labelled").get_to(g.vertices_labelled);
   for (const Json& m : j.at("measurements")) g.measurements.push_back(read_measurement(m));
   for (const Json& e : j.at("edges")) g.edges.push_back(read_edge(e));
   if (j.contains("search") != !j.at("runs").empty()) {
     contradiction(where, ": has a search without runs, or runs without a search");
   }
-  if (j.contains("search")) g.search = read_search(j, where);
+  if (j.contains("search"))
+    g.search = read_search(j, where);
+  else
+    g.silhouette = optional_number(j.at("error"), "silhouette");
   if (j.contains("deviation")) g.deviation = read_deviation(j.at("deviation"), where);
   return g;
 }

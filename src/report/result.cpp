@@ -95,7 +95,6 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
     out.search = make_search(garment, of);
     out.mean_distance_m = out.search->terms.distance;
     out.mean_stretch = out.search->terms.stretch;
-    out.silhouette = out.search->terms.silhouette;
   }
   out.deviation = summarize_deviation(garment.deviation, range);
   out.vertices_labelled = garment.vertices_labelled;

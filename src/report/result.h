@@ -59,7 +59,7 @@ struct ResultGarment {
   std::vector<ResultMeasurement> measurements;
   std::vector<ResultEdge> edges;
   double mean_distance_m = 0, mean_stretch = 1;
-  std::optional<double> silhouette;          // E_sil, of a garment that lies on the scan
+  std::optional<double> silhouette;          // E_sil, where no search tells it
   std::optional<ResultSearch> search;        // of the methods that search
   std::optional<ResultDeviation> deviation;  // of the methods that drape
   std::size_t vertices_labelled = 0;

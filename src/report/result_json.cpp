@@ -95,12 +95,15 @@ Json edge_json(const ResultEdge& e) {
 
 Json error_json(const ResultGarment& g) {
   // Without a search the terms have no weights and no total.
-  Json total;
-  if (g.search) total = g.search->total;
+  Json total, silhouette = maybe(g.silhouette);
+  if (g.search) {
+    total = g.search->total;
+    silhouette = g.search->terms.silhouette;
+  }
   return {{"total", total},
           {"distance_m", g.mean_distance_m},
           {"stretch", g.mean_stretch},
-          {"silhouette", maybe(g.silhouette)}};
+          {"silhouette", silhouette}};
 }
 
 Json search_json(const ResultSearch& s) {

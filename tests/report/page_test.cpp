@@ -98,6 +98,25 @@ TEST(Page, CountsWhatWasMeasuredAndWhatWasRight) {
   EXPECT_EQ(count(page, "Within tolerance: 1 of 2."), 1u);
 }
 
+TEST(Page, KeepsWhatWasGivenOutOfTheErrors) {
+  Result result = example_result();
+  result.garments[0].measurements[1].fixed = true;  // the width, 2.5 cm off
+  const std::string page = page_of(result);
+  EXPECT_EQ(count(page, "as given, held"), 1u);
+  EXPECT_EQ(count(page, "mean absolute error 0.3"),
+            1u);  // 0.35 of 0.3 and 0.4 lies just below, in binary
+  EXPECT_EQ(count(page, "Within tolerance: 1 of 1."), 1u);
+}
+
+TEST(Page, SaysInWordsWhereAnEdgeMayAsWellLie) {
+  const std::string page = page_of(example_result());
+  EXPECT_EQ(count(page,
+                  "may as well lie 4.2\u202fcm higher (weight 0.30), or 3.5\u202fcm lower "
+                  "(weight 0.12); if so, give --hint skirt.waist_edge=105.8"),
+            1u);
+  EXPECT_EQ(count(page, "may as well lie"), 1u);  // the hem has one answer
+}
+
 TEST(Page, ShowsPicturesAsData) {
   Result result = example_result();
   PageParts parts = bare_parts(result);

@@ -12,7 +12,9 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(ResultJson, HoldsWhatTheContractNames) {
-  const Json j = Json::parse(result_json(example_result()));
+  Result result = example_result();
+  result.garments[0].measurements[1].fixed = true;
+  const Json j = Json::parse(result_json(result));
   EXPECT_EQ(j.at("schema"), "regarment.result/1");
   EXPECT_EQ(j.at("program").at("method"), "direct");
   EXPECT_EQ(j.at("scan").at("up"), "+z");
@@ -22,6 +24,13 @@ TEST(ResultJson, HoldsWhatTheContractNames) {
   EXPECT_DOUBLE_EQ(length.at("value_cm"), 54.3);
   EXPECT_TRUE(length.at("worn_cm").is_null());
   EXPECT_DOUBLE_EQ(length.at("error_cm"), 0.3);
+  EXPECT_EQ(length.at("fixed"), false);
+  EXPECT_EQ(j.at("garments").at(0).at("measurements").at(1).at("fixed"), true);
+  EXPECT_EQ(j.at("fabric"), "jersey");
+  EXPECT_EQ(j.at("garments").at(0).at("error").at("silhouette"), 5.25);
+  const Json& waist = j.at("garments").at(0).at("edges").at(0);
+  EXPECT_EQ(waist.at("rivals"), Json::parse(R"([{"height_cm": 105.75, "weight": 0.3},
+                                                {"height_cm": 98.0, "weight": 0.125}])"));
   EXPECT_EQ(j.at("segmentation").at("garments").at(0), 14000);
   EXPECT_TRUE(j.at("timing_s").contains("total"));
 }

@@ -34,7 +34,6 @@ inline ResultGarment skirt_result() {
   length.tol_plus_cm = 0.5;
   auto& width = add("width", "S02", "Sweep", true, 112.5, 1.5);
   width.worn_cm = 112.4;
-  width.fixed = true;
   width.truth_cm = 110.0;
   width.tol_minus_cm = 1.0;
   width.tol_plus_cm = 2.0;
@@ -56,6 +55,7 @@ inline Result example_result() {
   r.version = "0.1.0";
   r.method = "direct";
   r.command = "regarment fit skirt-1.mesh.ply --garment skirt --method direct --seed 1 --out DIR";
+  r.fabric = "jersey";
   r.scan.file = "skirt-1.mesh.ply";
   r.scan.sha256 = std::string(64, 'a');
   r.scan.units = "mm";
