@@ -13,6 +13,8 @@ using test::MadeSkirt;
 using test::measured;
 using test::PersonPlan;
 
+constexpr double kEdgeError = 0.006;  // m, what an edge's height may be off
+
 /// Flat dimensions of a frustum: circumferences, and lengths along its slant.
 Dimensions flat_dimensions(const MadeSkirt& skirt) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -65,9 +67,13 @@ TEST_P(AnalyzeMadeSkirt, FindsItsDimensionsEdgesAndVertices) {
   for (const char* name : {"waist", "width", "length"}) {
     const Measurement& m = measured(skirt, name);
     EXPECT_TRUE(m.observable) << name;
-    EXPECT_NEAR(m.flat, truth.at(name), tolerance(truth.at(name))) << name;
+    // The girth of a flared hem hangs on the hem's height as well.
+    const double growth = (truth.at("width") - truth.at("waist")) / truth.at("length");
+    const double most =
+        tolerance(truth.at(name)) + (std::string(name) == "width" ? kEdgeError * growth : 0);
+    EXPECT_NEAR(m.flat, truth.at(name), most) << name;
     ASSERT_TRUE(m.worn.has_value()) << name;
-    EXPECT_NEAR(*m.worn, truth.at(name), tolerance(truth.at(name))) << name;
+    EXPECT_NEAR(*m.worn, truth.at(name), most) << name;
     EXPECT_LE(m.low, truth.at(name)) << name;
     EXPECT_GE(m.high, truth.at(name)) << name;
   }
@@ -80,7 +86,7 @@ TEST_P(AnalyzeMadeSkirt, FindsItsDimensionsEdgesAndVertices) {
     double mean = 0;
     for (const Vec3& p : edge.points) mean += p.y() / static_cast<double>(edge.points.size());
     // A crease where cloth leaves the body moves the step by up to a row of the search, 4 mm.
-    EXPECT_NEAR(mean, y, 0.006) << edge.name;
+    EXPECT_NEAR(mean, y, kEdgeError) << edge.name;
     EXPECT_GT(edge.coverage, 0.9) << edge.name;
   }
   EXPECT_EQ(static_cast<std::size_t>(std::count(analysis.labels.begin(), analysis.labels.end(), 1)),
