@@ -47,8 +47,10 @@ DimensionRole role_seen(const Pattern& pattern, const Observation& observation) 
     case Observation::Kind::Path:
       break;
   }
-  const bool on_limb = edge_named(pattern, observation.to_edge).limb != "torso";
-  return on_limb ? DimensionRole::LimbLength : DimensionRole::Length;
+  const PatternEdge& from = edge_named(pattern, observation.edge);
+  if (edge_named(pattern, observation.to_edge).limb != "torso") return DimensionRole::LimbLength;
+  const bool from_waist = from.limb == "torso" && bears(pattern, from);
+  return from_waist ? DimensionRole::WaistLength : DimensionRole::Length;
 }
 
 }  // namespace

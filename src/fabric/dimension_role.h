@@ -14,7 +14,8 @@ enum class DimensionRole {
   LimbEdge,     // an edge round an arm: a cuff
   Hoop,         // round the trunk, away from an edge: a hip, a chest
   Seam,         // round the seam between a limb and the trunk: an armhole
-  Length,       // along the hanging cloth of the trunk
+  Length,       // along cloth of the trunk that hangs from the shoulders
+  WaistLength,  // along cloth of the trunk that hangs from a bearing edge
   LimbLength,   // along a limb: a sleeve
 };
 

@@ -19,6 +19,6 @@ struct Stretch {
 /// several agree on the shortest they are loose and give the flat garment. `priors`: one per
 /// dimension of the family. Monte Carlo with a fixed seed: the same result every time.
 std::vector<Stretch> explain_bands(const HoopFamily& family,
-                                   const std::vector<StretchPrior>& priors);
+                                   const std::vector<StretchPrior>& priors, double cloth_error);
 
 }  // namespace regarment

@@ -7,17 +7,19 @@ namespace {
 StretchPrior any_fabric(DimensionRole role) {
   switch (role) {
     case DimensionRole::BearingEdge:
-      return {0.030, 0.6};
+      return {0.034, 0.6};
     case DimensionRole::TorsoEdge:
       return {0.0004, 1.0};
     case DimensionRole::LimbEdge:
       return {0.012, 1.1};
     case DimensionRole::Hoop:
-      return {0.0015, 1.5};
+      return {0.0025, 1.5};
     case DimensionRole::Seam:
       return {0.012, 0.8};
     case DimensionRole::Length:
-      return {0.003, 1.1};
+      return {0.0045, 0.8};
+    case DimensionRole::WaistLength:
+      return {0.0005, 1.0};
     case DimensionRole::LimbLength:
       break;
   }

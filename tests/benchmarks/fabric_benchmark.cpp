@@ -22,6 +22,8 @@ namespace {
 
 using namespace regarment;
 
+constexpr double kExact = 0.001;  // m, error of the pattern's triangles against the true cloth
+
 struct Row {
   std::string garment, dimension;
   double flat = 0, worn = 0;  // m
@@ -33,12 +35,14 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const std::vector<MadeGarment>& garments, double noise) {
+  StretchOptions options;
+  options.cloth_error = std::max(noise, kExact);
   std::vector<Row> out;
   for (std::size_t k = 0; k < garments.size(); ++k) {
     MadeGarment made = garments[k];
     disturb(made.draped, noise, k);
-    const auto stretch =
-        worn_stretch(find_template(made.template_name), made.laid, made.pattern, made.draped);
+    const auto stretch = worn_stretch(find_template(made.template_name), made.laid, made.pattern,
+                                      made.draped, options);
     for (const auto& [name, value] : stretch) {
       if (std::find(made.hidden.begin(), made.hidden.end(), name) != made.hidden.end()) continue;
       out.push_back({made.name, made.template_name + " " + name, made.flat.at(name),

@@ -21,6 +21,7 @@ HoopFamily tube(double girth, const std::function<double(double)>& excess) {
   return out;
 }
 
+constexpr double kError = 0.002;  // m
 constexpr StretchPrior kWide = {0.02, 1.0};
 constexpr StretchPrior kNearlyNone = {0.0005, 1.0};
 
@@ -30,7 +31,7 @@ TEST(ExplainBands, TellHowFarATopIsStretchedByWhatHangsLooseBelow) {
   const auto strain = [](double down) { return 0.06 * std::max(0.0, 1 - 4 * down); };
   const HoopFamily family =
       tube(0.9, [&](double down) { return strain(down) - (1 - down) * 0.06; });
-  const std::vector<Stretch> out = explain_bands(family, {kWide, kNearlyNone});
+  const std::vector<Stretch> out = explain_bands(family, {kWide, kNearlyNone}, kError);
   EXPECT_NEAR(out[0].mean, 0.06, 0.006);
   EXPECT_LT(out[0].standard_deviation, 0.01);  // of 0.02 before
   EXPECT_NEAR(out[1].mean, 0, 0.003);
@@ -38,28 +39,28 @@ TEST(ExplainBands, TellHowFarATopIsStretchedByWhatHangsLooseBelow) {
 
 TEST(ExplainBands, KeepThePriorWhereNothingStandsOut) {
   const HoopFamily family = tube(0.9, [](double) { return 0.0; });
-  const std::vector<Stretch> loose = explain_bands(family, {kNearlyNone, kNearlyNone});
+  const std::vector<Stretch> loose = explain_bands(family, {kNearlyNone, kNearlyNone}, kError);
   EXPECT_LT(loose[0].mean, 0.003);
   EXPECT_LT(loose[1].mean, 0.003);
 }
 
 TEST(ExplainBands, AreSurerOfAWideTubeThanOfANarrowOne) {
   const auto excess = [](double down) { return -(1 - down) * 0.03; };
-  const std::vector<Stretch> trunk = explain_bands(tube(1.0, excess), {kWide, kNearlyNone});
-  const std::vector<Stretch> cuff = explain_bands(tube(0.2, excess), {kWide, kNearlyNone});
+  const std::vector<Stretch> trunk = explain_bands(tube(1.0, excess), {kWide, kNearlyNone}, kError);
+  const std::vector<Stretch> cuff = explain_bands(tube(0.2, excess), {kWide, kNearlyNone}, kError);
   EXPECT_LT(trunk[0].standard_deviation, cuff[0].standard_deviation);
 }
 
 TEST(ExplainBands, SayTheSameTwice) {
   const HoopFamily family = tube(0.5, [](double down) { return 0.01 * down; });
-  const auto once = explain_bands(family, {kWide, kWide});
-  const auto twice = explain_bands(family, {kWide, kWide});
+  const auto once = explain_bands(family, {kWide, kWide}, kError);
+  const auto twice = explain_bands(family, {kWide, kWide}, kError);
   EXPECT_EQ(once[0].mean, twice[0].mean);
   EXPECT_EQ(once[1].standard_deviation, twice[1].standard_deviation);
 }
 
 TEST(ExplainBands, RefuseTooFewPriors) {
-  EXPECT_THROW(explain_bands(tube(1, [](double) { return 0.0; }), {kWide}), InvalidInput);
+  EXPECT_THROW(explain_bands(tube(1, [](double) { return 0.0; }), {kWide}, kError), InvalidInput);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ std::map<std::string, Stretch> stretch_of(double waist, double hip, Fabric fabri
         waist * std::max(0.0, 1 - t / 0.05) + hip * std::max(0.0, 1 - std::abs(t - 0.2) / 0.05);
     return flat_girth(flat, t) * (1 + strain);
   };
-  return worn_stretch(skirt, worn, pattern, test::rolled_skirt(pattern, worn, girth), fabric);
+  return worn_stretch(skirt, worn, pattern, test::rolled_skirt(pattern, worn, girth),
+                      {fabric, 0.002});
 }
 
 TEST(WornStretch, FindsATightHipByTheLooseClothBesideIt) {
@@ -70,6 +71,9 @@ TEST(WornStretch, RefusesWhatIsNoDrape) {
   std::vector<Vec3> draped(pattern.flat.size(), Vec3::Zero());
   draped.back().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(worn_stretch(skirt, skirt.typical(), pattern, draped), InvalidInput);
+  draped.back().x() = 0;
+  EXPECT_THROW(worn_stretch(skirt, skirt.typical(), pattern, draped, {Fabric::Unknown, 0.0}),
+               InvalidInput);
   draped.pop_back();
   EXPECT_THROW(worn_stretch(skirt, skirt.typical(), pattern, draped), InvalidInput);
 }
