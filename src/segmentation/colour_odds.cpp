@@ -7,11 +7,10 @@
 namespace regarment {
 namespace {
 
-constexpr int kBins = 16;         // per channel
-constexpr float kSure = 2.5F;     // log-odds from which a vertex teaches its colour
-constexpr float kTooFar = -7.5F;  // of the person far away teaches nothing of the border
+constexpr int kBins = 16;      // per channel
+constexpr float kSure = 2.5F;  // log-odds from which a vertex teaches its colour
 constexpr double kLeastTeachers = 500;
-constexpr double kMostColour = 3;  // log-odds a colour may add
+constexpr double kMostColour = 4;  // log-odds a colour may add
 constexpr double kChance = 0.7;    // share rightly told below which colours say nothing
 constexpr double kClear = 0.95;    // and from which they say all
 
@@ -48,9 +47,7 @@ void add_colour_odds(const Scan& scan, const std::vector<std::uint8_t>& skip,
   std::array<Histogram, 2> seen = {Histogram(kBins * kBins * kBins, 0.0),
                                    Histogram(kBins * kBins * kBins, 0.0)};
   std::array<double, 2> teachers = {0, 0};
-  const auto teaches = [&](std::size_t v) {
-    return skip[v] == 0 && std::abs(odds[v]) > kSure && odds[v] > kTooFar;
-  };
+  const auto teaches = [&](std::size_t v) { return skip[v] == 0 && std::abs(odds[v]) > kSure; };
   for (std::size_t v = 0; v < odds.size(); ++v) {
     if (!teaches(v)) continue;
     const int side = odds[v] > 0 ? 1 : 0;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1024;
 constexpr double kFar = 1.0;               // m, what vertices that are not looked at are said to be
+constexpr double kSurelyOff = 0.15;        // m from the garment at which nothing is its cloth
 constexpr double kBorderStep = 0.005;      // m between points of the garment's border
 constexpr double kMostInside = 0.1;        // m, deeper inside nothing changes
 constexpr double kCovered = 0.008;         // m, a vertex this near covers the garment
@@ -113,12 +114,18 @@ std::vector<SheetPoint> look_at_sheet(const Scan& scan, const std::vector<std::u
   const ClosestPoint surface(sheet.positions, sheet.triangles);
   if (surface.empty()) return out;
   const PointTree border(sheet.border);
+  ClosestFilter close;
+  close.max_distance = kSurelyOff;
   std::vector<std::uint32_t> nearest(n, ClosestHit::kNone);
   parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       if (skip[v]) continue;
       const Vec3& p = scan.mesh.positions[v];
-      const ClosestHit hit = surface.closest(p);
+      const ClosestHit hit = surface.closest(p, close);
+      if (!hit.found()) {
+        out[v].trust = 1;  // however well the garment lies, this is none of it
+        continue;
+      }
       const double off = (p - hit.point).dot(hit.normal);
       nearest[v] = hit.element;
       SheetPoint& at = out[v];

@@ -14,10 +14,10 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
 
 }  // namespace
 
-void remove_islands(std::span<const CutLink> links, std::span<const std::uint8_t> open,
-                    std::size_t least, std::vector<std::uint8_t>& label) {
+void remove_islands(std::span<const CutLink> links, std::span<const float> odds, std::size_t least,
+                    double firm, std::vector<std::uint8_t>& label) {
   const std::size_t n = label.size();
-  if (open.size() != n) throw InvalidInput("remove_islands: one mark per label");
+  if (odds.size() != n) throw InvalidInput("remove_islands: one label per vertex");
   std::vector<std::uint32_t> parent(n);
   std::iota(parent.begin(), parent.end(), 0U);
   std::vector<std::uint8_t> linked(n, 0);
@@ -26,17 +26,17 @@ void remove_islands(std::span<const CutLink> links, std::span<const std::uint8_t
     linked[link.a] = linked[link.b] = 1;
     if (label[link.a] == label[link.b]) parent[root_of(parent, link.b)] = root_of(parent, link.a);
   }
-  std::vector<std::uint32_t> size(n, 0), doubtful(n, 0);
+  std::vector<std::uint32_t> size(n, 0);
+  std::vector<double> support(n, 0.0);
   for (std::uint32_t v = 0; v < n; ++v) {
     const std::uint32_t root = root_of(parent, v);
     ++size[root];
-    doubtful[root] += open[v] != 0;
+    support[root] += double{label[v] ? odds[v] : -odds[v]};
   }
-  const std::vector<std::uint8_t> before = label;
   for (std::uint32_t v = 0; v < n; ++v) {
     const std::uint32_t root = root_of(parent, v);
-    if (linked[v] && size[root] < least && 2 * doubtful[root] > size[root])
-      label[v] = before[v] == 0 ? 1 : 0;
+    if (linked[v] && size[root] < least && support[root] < firm * size[root])
+      label[v] = label[v] ? 0 : 1;
   }
 }
 

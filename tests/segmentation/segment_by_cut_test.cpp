@@ -2,50 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "base/error.h"
 #include "dressed.h"
+#include "made_garment.h"
 
 namespace regarment {
 namespace {
 
 using test::Dressed;
+using test::MadeGarment;
 using test::MadePart;
 using test::MadeSkirt;
-
-constexpr int kAround = 96, kRows = 40;
-
-/// The made skirt itself as a draped garment, one particle per vertex.
-struct MadeGarment {
-  Pattern pattern;
-  std::vector<Vec3> draped;
-
-  explicit MadeGarment(const MadeSkirt& skirt, double raised = 0) {
-    for (int i = 0; i <= kRows; ++i)
-      for (int j = 0; j < kAround; ++j) {
-        const double y = skirt.hem_y + (skirt.waist_y - skirt.hem_y) * i / kRows;
-        const double phi = 2 * std::numbers::pi * j / kAround, r = skirt.radius(y);
-        draped.emplace_back(r * std::sin(phi), y + raised, r * std::cos(phi));
-      }
-    pattern.flat.resize(draped.size());
-    pattern.particle_count = static_cast<int>(draped.size());
-    for (int v = 0; v < pattern.particle_count; ++v) pattern.particle.push_back(v);
-    const auto at = [](int row, int column) {
-      return static_cast<std::uint32_t>(row * kAround + column % kAround);
-    };
-    for (int i = 0; i < kRows; ++i)
-      for (int j = 0; j < kAround; ++j) {
-        pattern.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
-        pattern.triangles.push_back({at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
-      }
-    pattern.edges = {{"hem", "torso", {}, {}}, {"waist", "torso", {}, {}}};
-    for (int j = 0; j < kAround; ++j) {
-      pattern.edges[0].vertices.push_back(j);
-      pattern.edges[1].vertices.push_back(kRows * kAround + j);
-    }
-  }
-};
 
 Labels cut(const Dressed& dressed, const MadeGarment& garment, const Scan& scan, Labels labels = {},
            int layer = 1, const CutOptions& options = {}) {
@@ -88,12 +55,29 @@ TEST(SegmentByCut, FindsTheSkirtOfACloud) {
   EXPECT_GT(intersection_over_union(dressed, labels, cloth), 0.99);
 }
 
-TEST(SegmentByCut, FollowsTheCreaseWhereTheGarmentIsLaidWrong) {
+TEST(SegmentByCut, FollowsWhereTheClothEndsWhenTheGarmentIsLaidWrong) {
   const Dressed dressed(test::in_skirt());
   const MadeGarment raised(*dressed.plan.skirt, 0.02);
   std::vector<bool> cloth;
   for (MadePart p : dressed.person.part) cloth.push_back(p == MadePart::Skirt);
   EXPECT_GT(intersection_over_union(dressed, cut(dressed, raised, dressed.scan), cloth), 0.99);
+}
+
+TEST(SegmentByCut, IsLessSureAtTheBorderThanAwayFromIt) {
+  const test::PersonPlan plan = test::in_skirt();
+  const Dressed dressed(plan, test::cloud_of(test::make_person(plan).mesh, 0.006, 72));
+  const MadeSkirt& skirt = *plan.skirt;
+  const Labels labels = cut(dressed, MadeGarment(skirt), dressed.scan);
+  double at_border = 0, n_border = 0, away = 0, n_away = 0;
+  for (std::size_t v = 0; v < labels.label.size(); ++v) {
+    ASSERT_GE(labels.probability[v], 0.5F);
+    ASSERT_LE(labels.probability[v], 0.99F);
+    const double off = std::abs(dressed.scan.mesh.positions[v].y() - skirt.waist_y);
+    if (off < 0.004) at_border += double{labels.probability[v]}, n_border += 1;
+    if (off > 0.05) away += double{labels.probability[v]}, n_away += 1;
+  }
+  EXPECT_LT(at_border / n_border, 0.9);
+  EXPECT_GT(away / n_away, 0.95);
 }
 
 TEST(SegmentByCut, LeavesOuterGarmentsAndOutliersAlone) {
