@@ -53,6 +53,8 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
       ->check(CLI::Range(1, 256));
   fit->add_flag("!--no-timing", a.timing,
                 "Leave out times, thread count and paths, so that two runs give the same bytes");
+  fit->add_flag("!--no-state", a.state,
+                "Leave no state.bin, by which 'regarment refit' fits the scan again");
   fit->add_option("--units", a.units, "Unit of the scan")
       ->check(CLI::IsMember({"auto", "mm", "cm", "m", "inch"}))
       ->capture_default_str();
@@ -70,6 +72,23 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   add_annealing_options(*fit, a.annealing);
   add_speech(*fit, a.speech);
   return fit;
+}
+
+CLI::App* add_refit(CLI::App& app, RefitArguments& a) {
+  CLI::App* refit = app.add_subcommand(
+      "refit", "Fit the scan of a result again, with help from a person, without reading it");
+  refit->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
+  refit->add_option("--out", a.out, "Folder for the result; DIR itself by default");
+  refit->add_flag("--force", a.force, "Replace a folder that is not empty, such as DIR");
+  refit->add_flag("--forget", a.forget, "Leave out the help that was given for DIR");
+  refit->add_option("--method", a.method, "Another method: direct or annealing");
+  refit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
+      ->check(CLI::Range(1, 256));
+  refit->add_flag("!--no-timing", a.timing, "Leave out times and thread count");
+  refit->add_flag("!--no-state", a.state, "Leave no state for yet another fit");
+  add_known_options(*refit, a.known);
+  add_speech(*refit, a.speech);
+  return refit;
 }
 
 CLI::App* add_evaluate(CLI::App& app, EvaluateArguments& a) {
@@ -114,7 +133,7 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
-constexpr const char* kCommands = "fit, evaluate, synthesize, report, render or templates";
+constexpr const char* kCommands = "fit, refit, evaluate, synthesize, report, render or templates";
 
 // CLI11 prints an unknown command as an argument it did not expect.
 void check_command_name(int argc, const char* const* argv) {
@@ -127,7 +146,7 @@ void check_command_name(int argc, const char* const* argv) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
   for (const std::string_view known :
-       {"fit", "evaluate", "synthesize", "report", "render", "templates"}) {
+       {"fit", "refit", "evaluate", "synthesize", "report", "render", "templates"}) {
     if (name == known) return;
   }
   throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
@@ -167,6 +186,15 @@ void check(const FitArguments& a) {
   }
 }
 
+void check(const RefitArguments& a) {
+  check_value("DIR", a.folder);
+  if (a.out) check_value("--out", *a.out);
+  if (!a.out && !a.force)
+    throw UsageError("refit: give --out FOLDER, or --force to replace the result in DIR");
+  if (a.method) check_method(*a.method);
+  check_known(a.known);
+}
+
 void check(const EvaluateArguments& a) {
   check_value("TABLE", a.table);
   check_value("--out", a.out);
@@ -199,6 +227,7 @@ std::string in_one_line(const CLI::ParseError& error, const std::string& command
 Command parse_command_line(int argc, const char* const* argv) {
   check_command_name(argc, argv);
   FitArguments fit;
+  RefitArguments refit;
   EvaluateArguments evaluate;
   SynthesizeArguments synthesize;
   ReportArguments report;
@@ -209,6 +238,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", "regarment " + version());
   app.footer(kHelpFooter);
   CLI::App* fit_app = add_fit(app, fit);
+  CLI::App* refit_app = add_refit(app, refit);
   CLI::App* evaluate_app = add_evaluate(app, evaluate);
   CLI::App* synthesize_app = add_synthesize(app, synthesize);
   CLI::App* report_app = add_report(app, report);
@@ -232,6 +262,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     throw UsageError(in_one_line(error, used() == &app ? "" : used()->get_name()));
   }
   if (used() == fit_app) return check(fit), fit;
+  if (used() == refit_app) return check(refit), refit;
   if (used() == evaluate_app) return check(evaluate), evaluate;
   if (used() == synthesize_app) return check(synthesize), synthesize;
   if (used() == report_app) return check_value("DIR", report.folder), report;

@@ -34,13 +34,24 @@ struct FitArguments {
   Speech speech;
   std::filesystem::path scan, out;
   std::vector<std::string> garments;  // template names or files, outermost first, at least one
-  bool force = false, timing = true;
+  bool force = false, timing = true, state = true;
   std::string method = "direct", units = "auto", up = "auto", front = "auto";
   std::uint64_t seed = 1;
   int threads = 0;  // 0: as many as the machine has
   AnnealingArguments annealing;
   KnownArguments known;
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
+};
+
+/// regarment refit DIR
+struct RefitArguments {
+  Speech speech;
+  std::filesystem::path folder;
+  std::optional<std::filesystem::path> out;  // none: the folder itself
+  bool force = false, forget = false, timing = true, state = true;
+  std::optional<std::string> method;
+  int threads = 0;  // 0: as many as the machine has
+  KnownArguments known;
 };
 
 /// regarment evaluate TABLE --out DIR
@@ -94,8 +105,8 @@ struct TextAnswer {
   std::string text;
 };
 
-using Command = std::variant<FitArguments, EvaluateArguments, SynthesizeArguments, ReportArguments,
-                             RenderArguments, TemplatesArguments, TextAnswer>;
+using Command = std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
+                             ReportArguments, RenderArguments, TemplatesArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

@@ -11,6 +11,10 @@ namespace regarment {
 /// Finds the garments and writes the result folder. Says the report's path, or result.json.
 void run_fit(const FitArguments& arguments, Console& console);
 
+/// Fits the scan of a stored result again from its state, with the options of that result where no
+/// others are given. Says as `run_fit`.
+void run_refit(const RefitArguments& arguments, Console& console);
+
 /// Fits the scans of a table, or compares another's estimates, and sums up. Says the page's path,
 /// or evaluation.json. Throws GateError when a gate failed, and NoGarmentError when a scan came to
 /// no result and no gate speaks of failures; both once everything is written.

@@ -132,6 +132,27 @@ void hint(const std::vector<NamedLength>& heights, const std::vector<GarmentTemp
   for (const auto& [edge, height] : edges) how.placement.edges[edge] = height;
 }
 
+/// "length" and "skirt.length" are the same: a plain name is given only where it is the only one.
+bool same_name(const std::string& a, const std::string& b) {
+  return a == b || a.ends_with("." + b) || b.ends_with("." + a);
+}
+
+std::vector<std::string> more_texts(const std::string& option,
+                                    const std::vector<std::string>& before,
+                                    const std::vector<std::string>& now) {
+  const std::vector<NamedLength> newer = named_lengths(option, now);
+  std::vector<std::string> out;
+  for (const std::string& text : before)
+    for (const std::string& one : split_at_commas(text)) {
+      const std::string name = named_length(option, one).name;
+      if (std::none_of(newer.begin(), newer.end(),
+                       [&](const NamedLength& n) { return same_name(n.name, name); }))
+        out.push_back(one);
+    }
+  out.insert(out.end(), now.begin(), now.end());
+  return out;
+}
+
 std::string joined(const std::vector<std::string>& texts) {
   std::string out;
   for (const std::string& text : texts) out += (out.empty() ? "" : ",") + text;
@@ -175,6 +196,11 @@ void apply_known(const KnownArguments& a, const std::vector<GarmentTemplate>& te
   if (!a.fabric.empty()) how.fabric = fabric_named(a.fabric);
   if (!a.fix.empty()) fix(named_lengths("--fix", a.fix), templates, how);
   if (!a.hint.empty()) hint(named_lengths("--hint", a.hint), templates, how);
+}
+
+KnownArguments more_known(const KnownArguments& before, const KnownArguments& now) {
+  return {more_texts("--fix", before.fix, now.fix), more_texts("--hint", before.hint, now.hint),
+          now.fabric.empty() ? before.fabric : now.fabric};
 }
 
 std::vector<std::pair<std::string, std::string>> chosen_known(const KnownArguments& a) {

@@ -41,6 +41,9 @@ std::vector<NamedLength> named_lengths(const std::string& option,
 void apply_known(const KnownArguments& a, const std::vector<GarmentTemplate>& templates,
                  AnalyzeOptions& how);
 
+/// What was known before and what is known now, which counts more where both speak of the same.
+KnownArguments more_known(const KnownArguments& before, const KnownArguments& now);
+
 /// Those given, name without dashes and value.
 std::vector<std::pair<std::string, std::string>> chosen_known(const KnownArguments& a);
 

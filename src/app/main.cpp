@@ -30,6 +30,10 @@ struct Run {
     Console console(arguments.speech, stop);
     run_fit(arguments, console);
   }
+  void operator()(const RefitArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_refit(arguments, console);
+  }
   void operator()(const EvaluateArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_evaluate(arguments, console);

@@ -57,7 +57,7 @@ FitJob make_fit_job(const EvaluationCase& one, const FitJobOptions& options,
   };
   for (const std::string& garment : one.garments) add("--garment", garment);
   add("--out", path_argument(job.folder));
-  job.command.insert(job.command.end(), {"--force", "--quiet"});
+  job.command.insert(job.command.end(), {"--force", "--quiet", "--no-state"});
   add("--threads", std::to_string(options.threads));
   if (!options.timing) job.command.push_back("--no-timing");
   add("--ground-truth", path_argument(options.table));

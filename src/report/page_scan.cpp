@@ -129,6 +129,7 @@ void show_settings(const Result& result, Gaps& page) {
   std::vector<Gaps> settings = {fact("Program", "regarment " + result.version),
                                 fact("Method", result.method),
                                 fact("Seed", std::to_string(result.seed))};
+  if (result.refit) settings.push_back(fact("Scan", "as an earlier fit prepared and stored it"));
   if (result.threads) settings.push_back(fact("Threads", std::to_string(*result.threads)));
   for (const auto& [name, value] : result.options) settings.push_back(fact("--" + name, value));
   settings.push_back(fact("SHA-256 of the scan", result.scan.sha256));

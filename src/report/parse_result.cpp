@@ -166,6 +166,7 @@ void read_program(const Json& j, Result& r) {
   j.at("command").get_to(r.command);
   j.at("seed").get_to(r.seed);
   for (const auto& [name, value] : j.at("options").items()) r.options.emplace_back(name, value);
+  r.refit = j.value("refit", false);
   if (j.contains("threads")) r.threads = j.at("threads").get<int>();
 }
 

@@ -103,6 +103,7 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
     parts.evaluations.push_back(garment.trace ? evaluations_csv(*garment.trace) : "");
     if (garment.trace) files[numbered("evaluations", i, ".csv")] = parts.evaluations.back();
   }
+  if (!options.state.empty()) files["state.bin"] = options.state;
   files["labels.u8"] = labels_file(analysis.labels);
   files["segmented.ply"] = segmented_ply(analysis);
   files["measurements.csv"] = measurements_csv(result);

@@ -210,6 +210,7 @@ Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>&
   out.method = analysis.method;
   out.fabric = fabric_name(analysis.fabric);
   out.seed = options.seed;
+  out.refit = options.refit;
   out.options = options.options;
   for (auto& [name, value] : out.options) value = one_line(value, 4096);
   out.scan = result_scan(analysis, options);

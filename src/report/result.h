@@ -21,6 +21,8 @@ struct ReportOptions {
   // Paths as given, and how many threads ran: written only with `timing`.
   std::string scan_path;
   int threads = 1;
+  std::string state;   // bytes of state.bin (analysis/scan_state.h); empty: none is left
+  bool refit = false;  // the scan came from the state of an earlier fit
   // False leaves out times, thread count and paths, so that two runs give the same bytes.
   bool timing = true;
   std::optional<LabelScore> label_score;
@@ -88,6 +90,7 @@ struct Result {
   std::uint64_t seed = 1;
   std::vector<std::pair<std::string, std::string>> options;
   std::optional<int> threads;
+  bool refit = false;              // made from the state of an earlier fit
   std::string fabric = "unknown";  // as a person said
   ResultScan scan;
   std::vector<ResultGarment> garments;

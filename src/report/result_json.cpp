@@ -23,6 +23,7 @@ Json from_pairs(const auto& pairs) {
 Json program_json(const Result& r) {
   Json out = {{"name", "regarment"}, {"version", r.version}, {"method", r.method},
               {"seed", r.seed},      {"command", r.command}, {"options", from_pairs(r.options)}};
+  if (r.refit) out["refit"] = true;
   if (r.threads) out["threads"] = *r.threads;
   return out;
 }

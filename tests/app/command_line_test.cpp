@@ -31,6 +31,20 @@ TEST(CommandLine, ReadsAFit) {
   EXPECT_FALSE(fit.speech.json);
 }
 
+TEST(CommandLine, ReadsARefit) {
+  const auto refit = std::get<RefitArguments>(
+      parse({"refit", "d", "--out", "o", "--fix", "hip=95", "--forget", "--method", "annealing"}));
+  EXPECT_EQ(refit.folder, "d");
+  EXPECT_EQ(refit.out, "o");
+  EXPECT_EQ(refit.known.fix, std::vector<std::string>{"hip=95"});
+  EXPECT_TRUE(refit.forget && refit.timing && refit.state);
+  EXPECT_EQ(refit.method, "annealing");
+  EXPECT_THROW(parse({"refit", "d"}), UsageError);  // would replace it
+  EXPECT_FALSE(std::get<RefitArguments>(parse({"refit", "d", "--force"})).out);
+  EXPECT_THROW(parse({"refit", "d", "--force", "--method", "guess"}), UsageError);
+  EXPECT_THROW(parse({"refit", "d", "--force", "--hint", "waist_edge"}), UsageError);
+}
+
 TEST(CommandLine, LeavesTheRestAtItsDefault) {
   const auto fit = std::get<FitArguments>(parse({"fit", "a", "--garment", "g", "--out", "o"}));
   EXPECT_FALSE(fit.force);
