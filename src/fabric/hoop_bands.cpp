@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 
 #include "base/error.h"
 #include "fabric/drawn_line.h"
+#include "fabric/level_section.h"
 #include "garment/plane.h"
 
 namespace regarment {
@@ -50,6 +53,7 @@ struct Piece {
   double position = 0;  // m
   double area = 0;      // m^2
   Vec2 along = Vec2::Zero();
+  std::array<double, 3> corners = {};  // m, positions of the triangle's corners
 };
 
 // Of a line and its mirror image on one panel, the one on the triangle's side.
@@ -65,6 +69,14 @@ const DrawnLine* line_of(const std::vector<DrawnLine>& lines, int panel, const V
   return out;
 }
 
+// How far a point of a panel lies across the strips, m.
+double position_of(const DrawnLine& line, const Vec2& point) {
+  const Vec2 u = line.along(), off = point - line.from;
+  // Mirrored lines run the other way round; down the garment is positive on all of them.
+  const double sign = line.from.x() + line.to.x() < -1e-9 ? -1 : 1;
+  return sign * (u.x() * off.y() - u.y() * off.x());
+}
+
 std::vector<Piece> pieces_along(const Pattern& pattern, const std::vector<DrawnLine>& lines) {
   std::vector<Piece> out;
   for (std::size_t k = 0; k < pattern.triangles.size(); ++k) {
@@ -73,13 +85,23 @@ std::vector<Piece> pieces_along(const Pattern& pattern, const std::vector<DrawnL
     const DrawnLine* line = line_of(lines, pattern.panel[t[0]], middle);
     const double area = 0.5 * std::abs(flat_sides(pattern, t).determinant());
     if (line == nullptr || area <= 0) continue;
-    const Vec2 u = line->along(), off = middle - line->from;
-    const double side = u.x() * off.y() - u.y() * off.x();
-    // Mirrored lines run the other way round; down the garment is positive on all of them.
-    const double sign = line->from.x() + line->to.x() < -1e-9 ? -1 : 1;
-    out.push_back({k, sign * side, area, u});
+    Piece piece{k, position_of(*line, middle), area, line->along(), {}};
+    for (std::size_t c = 0; c < 3; ++c) piece.corners[c] = position_of(*line, pattern.flat[t[c]]);
+    out.push_back(piece);
   }
   return out;
+}
+
+// The level of a dimension's line among strips along `lines`; nothing when it runs otherwise.
+std::optional<double> level_of(const std::vector<DrawnLine>& lines,
+                               const std::vector<DrawnLine>& of_dimension) {
+  if (!run_alike(lines, of_dimension)) return std::nullopt;
+  for (const DrawnLine& line : of_dimension) {
+    const Vec2 middle = 0.5 * (line.from + line.to);
+    const DrawnLine* beside = line_of(lines, line.panel, middle);
+    if (beside != nullptr) return position_of(*beside, middle);
+  }
+  return std::nullopt;
 }
 
 // Adds up what the strips see of one quantity of their triangles.
@@ -92,11 +114,15 @@ class Strips {
       high = std::max(high, piece.position);
     }
     low_ = low;
+    high_ = high;
     count_ = 2 + static_cast<std::size_t>((high - low) / kStep);
   }
 
   std::size_t count() const { return count_; }
   double position(std::size_t strip) const { return low_ + kStep * static_cast<double>(strip); }
+
+  // The position itself or, at an end, the nearest where there is cloth on all sides.
+  double within(double position) const { return std::clamp(position, low_, high_); }
 
   // Sum over a strip's triangles of area times value; each shared out to the two strips beside it.
   template <typename Value>
@@ -115,9 +141,36 @@ class Strips {
 
  private:
   const std::vector<Piece>& pieces_;
-  double low_ = 0;
+  double low_ = 0, high_ = 0;  // m, of the outermost triangles' middles
   std::size_t count_ = 0;
 };
+
+// How much longer the cloth at one level is than a tape pulled tight round it, as a logarithm; of
+// all limbs it goes round together.
+double fold_at(const Pattern& pattern, const std::vector<Vec3>& draped,
+               const std::vector<Piece>& pieces, const Strips& strips, double position) {
+  const double level = strips.within(position);
+  std::map<std::string, std::vector<Vec3>> sections;
+  double length = 0;
+  for (const Piece& piece : pieces) {
+    const Triangle& t = pattern.triangles[piece.triangle];
+    std::vector<Vec3> ends;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t d = (c + 1) % 3;
+      const double from = piece.corners[c] - level, to = piece.corners[d] - level;
+      if ((from < 0) == (to < 0)) continue;
+      ends.push_back(draped[t[c]] + from / (from - to) * (draped[t[d]] - draped[t[c]]));
+    }
+    if (ends.size() != 2) continue;
+    length += (ends[1] - ends[0]).norm();
+    const auto panel = static_cast<std::size_t>(pattern.panel[t[0]]);
+    std::vector<Vec3>& section = sections[pattern.panel_limbs[panel]];
+    section.insert(section.end(), ends.begin(), ends.end());
+  }
+  double tape = 0;
+  for (const auto& [limb, section] : sections) tape += tape_length(section);
+  return tape > 0 && length > tape ? std::log(length / tape) : 0.0;
+}
 
 // Moves the pattern to a dimension slightly larger, or slightly smaller where larger is no garment.
 // Returns the relative change; 0 where neither is one.
@@ -209,8 +262,10 @@ std::array<double, 2> whole_part(const Pattern& pattern, const std::vector<Piece
 }
 
 HoopFamily family_of(const GarmentTemplate& garment, const Dimensions& worn, const Pattern& pattern,
-                     const std::vector<Vec3>& draped, const std::vector<Piece>& pieces,
+                     const std::vector<Vec3>& draped, const std::vector<DrawnLine>& lines,
                      const std::vector<std::string>& candidates) {
+  const std::vector<Piece> pieces = pieces_along(pattern, lines);
+  if (pieces.empty()) return {};
   const Strips strips(pieces);
   const std::vector<double> area = strips.sum([](const Piece&) { return 1.0; });
   const std::vector<Vec3> normals = worn_normals(pattern, draped);
@@ -223,9 +278,11 @@ HoopFamily family_of(const GarmentTemplate& garment, const Dimensions& worn, con
     const double most = *std::max_element(share.back().begin(), share.back().end());
     if (most < kDepends) {
       share.pop_back();
-    } else {
-      out.dimensions.push_back(name);
+      continue;
     }
+    out.dimensions.push_back(name);
+    const std::optional<double> level = level_of(lines, drawn_lines(garment, worn, pattern, name));
+    out.folds.push_back(level ? fold_at(pattern, draped, pieces, strips, *level) : 0.0);
   }
   const std::array<double, 2> whole = whole_part(pattern, pieces);
   for (std::size_t k = 0; k < strips.count(); ++k) {
@@ -241,6 +298,7 @@ HoopFamily family_of(const GarmentTemplate& garment, const Dimensions& worn, con
     if (!is_whole || known < kKnown || area[k] <= 0) continue;
     band.girth /= known;
     band.excess = std::log(length[k] / area[k]);
+    band.fold = fold_at(pattern, draped, pieces, strips, band.position);
     out.bands.push_back(band);
   }
   return out;
@@ -262,10 +320,7 @@ std::vector<HoopFamily> hoop_families(const GarmentTemplate& garment, const Dime
                                   [&](const auto& other) { return run_alike(lines, other); });
     if (lines.empty() || seen) continue;
     done.push_back(lines);
-    const std::vector<Piece> pieces = pieces_along(pattern, lines);
-    if (!pieces.empty()) {
-      out.push_back(family_of(garment, worn, pattern, draped, pieces, candidates));
-    }
+    out.push_back(family_of(garment, worn, pattern, draped, lines, candidates));
   }
   return out;
 }

@@ -13,12 +13,14 @@ struct HoopBand {
   double position = 0;        // m across the strips, from the first dimension's line
   double girth = 0;           // m, about, of the flat pattern
   double excess = 0;          // log of the strip's length as it lies over that of the pattern
+  double fold = 0;            // log of its length over a tape's pulled tight round it, >= 0
   std::vector<double> share;  // d log(flat length) / d log(dimension), one per dimension
 };
 
 /// Strips side by side over the panels of one limb, from the garment's one end to the other.
 struct HoopFamily {
   std::vector<std::string> dimensions;  // circumferences that these strips' lengths depend on
+  std::vector<double> folds;            // of the strip at each one's line; 0 without such a line
   std::vector<HoopBand> bands;
 };
 

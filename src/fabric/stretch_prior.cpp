@@ -1,5 +1,7 @@
 #include "fabric/stretch_prior.h"
 
+#include <cmath>
+
 namespace regarment {
 namespace {
 
@@ -13,7 +15,7 @@ StretchPrior any_fabric(DimensionRole role) {
     case DimensionRole::LimbEdge:
       return {0.012, 1.1};
     case DimensionRole::Hoop:
-      return {0.0025, 1.5};
+      return {0.010, 0.9};
     case DimensionRole::Seam:
       return {0.012, 0.8};
     case DimensionRole::Length:
@@ -47,8 +49,17 @@ Give give(Fabric fabric) {
 
 }  // namespace
 
-StretchPrior stretch_prior(DimensionRole role, Fabric fabric) {
+double tight_share(double fold) {
+  constexpr double kSmooth = 0.6;  // of strips without folds
+  constexpr double kHalf = 0.02;   // fold at which half of these are left
+  constexpr double kTransition = 0.006;
+  constexpr double kLeast = 0.005;
+  return kLeast + kSmooth / (1 + std::exp((fold - kHalf) / kTransition));
+}
+
+StretchPrior stretch_prior(DimensionRole role, Fabric fabric, double fold) {
   StretchPrior out = any_fabric(role);
+  if (role == DimensionRole::Hoop) out.tight = tight_share(fold);
   const Give known = give(fabric);
   out.median *= known.factor;
   out.spread *= known.spread;

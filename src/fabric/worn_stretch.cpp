@@ -27,7 +27,9 @@ constexpr double kLeastDeviation = 0.002;
 Stretch expected(const StretchPrior& prior) {
   const double variance = prior.spread * prior.spread;
   const double mean = prior.median * std::exp(0.5 * variance);
-  return {mean, mean * std::sqrt(std::expm1(variance))};
+  const double square = mean * mean * std::exp(variance);
+  return {prior.tight * mean,
+          std::sqrt(prior.tight * square - prior.tight * prior.tight * mean * mean)};
 }
 
 }  // namespace
@@ -45,20 +47,25 @@ std::map<std::string, Stretch> worn_stretch(const GarmentTemplate& garment, cons
   options.check();
   check(pattern, draped);
   std::map<std::string, Stretch> out;
-  std::map<std::string, StretchPrior> priors;
+  std::map<std::string, DimensionRole> roles;
   std::vector<std::string> hoops, seams;
   for (const Dimension& dimension : garment.dimensions()) {
     const std::string& name = dimension.name;
-    const DimensionRole role = dimension_role(garment, worn, pattern, name);
-    priors[name] = stretch_prior(role, options.fabric);
-    out[name] = expected(priors[name]);
-    if (role == DimensionRole::Seam) seams.push_back(name);
-    if (dimension.circumference && role != DimensionRole::Seam) hoops.push_back(name);
+    roles[name] = dimension_role(garment, worn, pattern, name);
+    out[name] = expected(stretch_prior(roles[name], options.fabric, 0.0));
+    if (roles[name] == DimensionRole::Seam) {
+      seams.push_back(name);
+    } else if (dimension.circumference) {
+      hoops.push_back(name);
+    }
   }
   for (const HoopFamily& family : hoop_families(garment, worn, pattern, draped, hoops, seams)) {
-    std::vector<StretchPrior> known;
-    for (const std::string& name : family.dimensions) known.push_back(priors[name]);
-    const std::vector<Stretch> explained = explain_bands(family, known, options.cloth_error);
+    std::vector<StretchPrior> priors;
+    for (std::size_t d = 0; d < family.dimensions.size(); ++d) {
+      const DimensionRole role = roles.at(family.dimensions[d]);
+      priors.push_back(stretch_prior(role, options.fabric, family.folds[d]));
+    }
+    const std::vector<Stretch> explained = explain_bands(family, priors, options.cloth_error);
     for (std::size_t d = 0; d < explained.size(); ++d) out[family.dimensions[d]] = explained[d];
   }
   for (auto& [name, stretch] : out) {

@@ -11,12 +11,13 @@ namespace regarment {
 namespace {
 
 // A tube of straight sides, 20 strips: `a` gives the girth at the top, `b` at the bottom.
-HoopFamily tube(double girth, const std::function<double(double)>& excess) {
+HoopFamily tube(double girth, const std::function<double(double)>& excess, double fold = 0.02) {
   HoopFamily out;
   out.dimensions = {"a", "b"};
+  out.folds = {fold, fold};
   for (int k = 0; k < 20; ++k) {
     const double down = k / 19.0;
-    out.bands.push_back({down * 0.4, girth, excess(down), {1 - down, down}});
+    out.bands.push_back({down * 0.4, girth, excess(down), fold, {1 - down, down}});
   }
   return out;
 }
