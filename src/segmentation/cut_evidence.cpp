@@ -157,7 +157,9 @@ namespace {
 /// and the edges seen as much when both mean the same; elsewhere the edges alone.
 double odds_of_border(const SheetPoint& at, double depth, double likeness) {
   const double away = std::max(at.distance, -at.inside) / kNearSheet;
-  const double near = likeness * at.trust * std::exp(-away * away);
+  // Deep under the outermost surface the edges say nothing of folds: there the sheet is believed.
+  const double trust = depth <= -kMostInside ? 1 : at.trust;
+  const double near = likeness * trust * std::exp(-away * away);
   const double both =
       std::abs(depth - at.inside) < kDisagree ? 0.5 * (depth + at.inside) : at.inside;
   const double within = near * both + (1 - near) * depth;
