@@ -42,10 +42,10 @@ double logit(double p) { return std::log(p / (1 - p)); }
 
 /// The draped garment with its particles welded, so that seams are no borders.
 struct Sheet {
-  std::vector<Vec3> positions;      // per particle
-  std::vector<Triangle> triangles;  // of particles
-  std::vector<Vec3> border;         // points along its open edges
-  std::vector<float> border_error;  // of each of them, m
+  std::vector<Vec3> positions;       // per particle
+  std::vector<Triangle> triangles;   // of particles
+  std::vector<Vec3> border;          // points along its open edges
+  std::vector<double> border_error;  // of each of them, m
 
   Sheet(const Pattern& pattern, const std::vector<Vec3>& draped, const CutOptions& options);
 };
@@ -67,7 +67,7 @@ Sheet::Sheet(const Pattern& pattern, const std::vector<Vec3>& draped, const CutO
       const int steps = std::clamp(static_cast<int>((b - a).norm() / kBorderStep), 1, 1000);
       for (int k = 0; k < steps; ++k) {
         border.emplace_back(a + (b - a) * k / steps);
-        border_error.push_back(static_cast<float>(error));
+        border_error.push_back(error);
       }
     }
   }
