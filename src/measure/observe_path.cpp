@@ -25,6 +25,18 @@ double Observer::centre_path(const GarmentEdge& from, const GarmentEdge& to, dou
   return section.length_between(a, b, centre + 0.2 * out);
 }
 
+UpperEdge Observer::upper_edge(const GarmentEdge& from, const GarmentEdge& to) const {
+  const Vec3 neck = edge_point(from, to.limb == "left_arm" ? 0.5 * kPi : -0.5 * kPi);
+  const Vec3 cuff = edge_point(to, 0.0);
+  const Vec3 along = (cuff - neck).normalized();
+  const Vec3 up = (Vec3::UnitY() - Vec3::UnitY().dot(along) * along).normalized();
+  std::vector<int> members = edges.limbs.at("torso").members;
+  const std::vector<int>& arm = edges.limbs.at(to.limb).members;
+  members.insert(members.end(), arm.begin(), arm.end());
+  const Vec3 centre = 0.5 * (neck + cuff) - 0.15 * up;
+  return {neck, cuff, cut_section(samples, on_cloth(members), centre, up, along, 0.01, 240)};
+}
+
 ObservedLength Observer::path(const Observation& o) const {
   ObservedLength out{&o, 0, 0, false};
   const GarmentEdge *from = edge(o.edge), *to = edge(o.to_edge);
@@ -57,19 +69,9 @@ ObservedLength Observer::path(const Observation& o) const {
       }
     }
   } else if (o.side == "top") {
-    const int side = to->limb == "left_arm" ? 0 : 1;
-    const Vec3 neck = edge_point(*from, side == 0 ? 0.5 * kPi : -0.5 * kPi);
-    const Vec3 cuff = edge_point(*to, 0.0);
-    // Over the shoulder in the upright plane through both ends.
-    const Vec3 along = (cuff - neck).normalized();
-    Vec3 up = Vec3::UnitY() - Vec3::UnitY().dot(along) * along;
-    up.normalize();
-    const Vec3 centre = 0.5 * (neck + cuff) - 0.15 * up;
-    std::vector<int> members = edges.limbs.at("torso").members;
-    const std::vector<int>& arm = edges.limbs.at(to->limb).members;
-    members.insert(members.end(), arm.begin(), arm.end());
-    const Section section = cut_section(samples, on_cloth(members), centre, up, along, 0.01, 240);
-    ways = {section.length_between(neck, cuff, centre + 0.3 * up)};
+    const UpperEdge upper = upper_edge(*from, *to);
+    ways = {upper.section.length_between(upper.neck, upper.cuff,
+                                         upper.section.centre + 0.3 * upper.section.zero)};
   }
   double sum = 0, n = 0;
   for (double w : ways)
@@ -79,7 +81,8 @@ ObservedLength Observer::path(const Observation& o) const {
   out.standard_deviation = kPathShare * out.value + kLeastDeviation +
                            std::hypot(from->found.standard_error, to->found.standard_error);
   if (o.side != "centre")
-    out.standard_deviation += 0.012;  // where neck and shoulder meet is hard to see
+    out.standard_deviation +=
+        o.side == "top" ? 0.008 : 0.004;  // where neck and shoulder meet is hard to see
   out.seen = true;
   return out;
 }

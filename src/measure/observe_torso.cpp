@@ -141,7 +141,7 @@ ObservedLength Observer::chest_girth(const Observation& o, const GarmentEdge& e)
   }
   if (lengths.size() < 2) return {&o, 0, 0, false};
   const double value = median_of(lengths), share = bridged / static_cast<double>(lengths.size());
-  return {&o, value, (0.015 + 0.3 * share) * value + kLeastDeviation, true};
+  return {&o, value, (0.007 + kBridgedShare * share) * value + kLeastDeviation, true};
 }
 
 }  // namespace regarment

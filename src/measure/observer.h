@@ -6,6 +6,7 @@
 
 #include "measure/cloth_levels.h"
 #include "measure/observe.h"
+#include "measure/section.h"
 
 namespace regarment {
 
@@ -16,6 +17,19 @@ struct TrunkLevels {
   std::string upper, lower;        // names of the edges
   double length = 0;               // m, from one to the other over the cloth
   std::vector<LevelGirth> girths;  // at levels counted from the upper edge, ascending
+};
+
+/// The upper edge of a sleeve with its shoulder, in the upright plane through both its ends; the
+/// section's angle 0 is upwards, 90 degrees towards the cuff.
+struct UpperEdge {
+  Vec3 neck, cuff;
+  Section section;
+};
+
+/// Where a sleeve begins on its upper edge, and the girth of the chest it was found with, m.
+struct ShoulderPoint {
+  Vec3 at;
+  double chest = 0;
 };
 
 /// One scan with the edges of one garment on it, and what measures between them. Borrows all.
@@ -52,6 +66,10 @@ struct Observer {
   /// Girths from the upper to the lower edge of a garment round the trunk that has both.
   std::optional<TrunkLevels> trunk_levels() const;
   double trunk_top() const;  // m above the floor, up to where the trunk is cloth of its own
+  UpperEdge upper_edge(const GarmentEdge& from, const GarmentEdge& to) const;
+  /// Where on its upper edge a sleeve begins by the template's rule; nothing when its edges or the
+  /// girth it depends on do not show.
+  std::optional<ShoulderPoint> shoulder_point(const std::string& cuff) const;
   double centre_path(const GarmentEdge& from, const GarmentEdge& to, double phi) const;
 };
 
