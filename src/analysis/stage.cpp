@@ -87,6 +87,12 @@ PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& patte
   return target;
 }
 
+double mean_height(const std::vector<Vec3>& points) {
+  double sum = 0;
+  for (const Vec3& p : points) sum += p.y();
+  return points.empty() ? 0 : sum / static_cast<double>(points.size());
+}
+
 std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges) {
   std::vector<EdgeCurve> out;
   for (const auto& [name, edge] : edges.edges) {
@@ -97,6 +103,10 @@ std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges) {
     curve.standard_error = edge.found.standard_error;
     curve.coverage = edge.found.coverage;
     curve.evidence = edge.covered ? "covered" : edge.found.evidence;
+    if (edge.limb == "torso" && !edge.covered)
+      for (const EdgeHypothesis& rival : edge.rivals)
+        curve.rivals.push_back(
+            {mean_height(edge_points(rival.edge, view.map, view.axis)), rival.weight});
     out.push_back(std::move(curve));
   }
   return out;
@@ -148,8 +158,7 @@ constexpr double kWorthSaying = 0.1;  // weight of a rival that a person should 
 void warn_of_rivals(const GarmentTemplate& garment, const std::vector<EdgeCurve>& edges,
                     std::vector<std::string>& warnings) {
   for (const EdgeCurve& edge : edges) {
-    double height = 0;
-    for (const Vec3& p : edge.points) height += p.y() / static_cast<double>(edge.points.size());
+    const double height = mean_height(edge.points);
     for (const EdgeRival& rival : edge.rivals) {
       if (rival.weight < kWorthSaying) continue;
       char text[200];

@@ -45,6 +45,9 @@ SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int
 /// as the garment is long.
 PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern);
 
+/// m above the floor; 0 for no points.
+double mean_height(const std::vector<Vec3>& points);
+
 /// The edges as curves in the result.
 std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges);
 
