@@ -36,6 +36,7 @@ double tape_length(const std::vector<Vec3>& points) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
   if (axes.eigenvalues()[1] <= 1e-12 * axes.eigenvalues()[2]) return 0;
   std::vector<Vec2> seen;
+  seen.reserve(points.size());
   for (const Vec3& p : points) {
     seen.emplace_back(axes.eigenvectors().col(2).dot(p - middle),
                       axes.eigenvectors().col(1).dot(p - middle));

@@ -92,6 +92,7 @@ std::vector<std::vector<double>> posterior_sample(std::size_t dimensions,
     }
   }
   std::vector<std::vector<double>> out;
+  out.reserve(draws.size());
   for (Draw& draw : draws) out.push_back(std::move(draw.at));
   return out;
 }

@@ -50,8 +50,8 @@ Give give(Fabric fabric) {
 }  // namespace
 
 double tight_share(double fold) {
-  constexpr double kSmooth = 0.6;  // of strips without folds
-  constexpr double kHalf = 0.02;   // fold at which half of these are left
+  constexpr double kSmooth = 0.85;  // of strips without folds
+  constexpr double kHalf = 0.02;    // fold at which half of these are left
   constexpr double kTransition = 0.006;
   constexpr double kLeast = 0.005;
   return kLeast + kSmooth / (1 + std::exp((fold - kHalf) / kTransition));

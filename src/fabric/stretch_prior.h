@@ -18,7 +18,8 @@ struct StretchPrior {
 /// than a tape pulled tight round it: loose cloth has folds and hollows.
 double tight_share(double fold);
 
-/// Wide over fabrics: sheets of apparel have 100 to 5000 N/m.
+/// The medians are round figures of what tests/benchmarks/fabric_benchmark prints for made people,
+/// and wide over fabrics: sheets of apparel have 100 to 5000 N/m.
 /// `fold` as for tight_share, at the dimension's line.
 StretchPrior stretch_prior(DimensionRole role, Fabric fabric, double fold);
 

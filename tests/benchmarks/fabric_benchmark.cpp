@@ -1,7 +1,7 @@
 // How well worn_stretch tells flat garments from worn ones, on true drapes of made people:
 //
 //   build/release/regarment synthesize --out out/people --cases 200 --seed 4
-//   build/release/tests/benchmarks/fabric_benchmark out/people
+//   build/release/fabric_benchmark out/people
 //
 // Per dimension: mean absolute error in cm of flat = worn / (1 + stretch) with no stretch, with the
 // mean stretch of the cases, and with worn_stretch; and how often the truth is within one standard
@@ -28,7 +28,6 @@ struct Row {
   std::string garment, dimension;
   double flat = 0, worn = 0;  // m
   Stretch stretch;
-  bool even = false;
 
   double true_stretch() const { return worn / flat - 1; }
   double error(double stretch_taken) const { return worn / (1 + stretch_taken) - flat; }
@@ -46,7 +45,7 @@ std::vector<Row> rows_of(const std::vector<MadeGarment>& garments, double noise)
     for (const auto& [name, value] : stretch) {
       if (std::find(made.hidden.begin(), made.hidden.end(), name) != made.hidden.end()) continue;
       out.push_back({made.name, made.template_name + " " + name, made.flat.at(name),
-                     made.worn.at(name), value, k % 2 == 0});
+                     made.worn.at(name), value});
     }
   }
   return out;
@@ -70,6 +69,7 @@ void print(const std::string& name, const std::vector<Row>& rows) {
 
 void print_all(const std::vector<Row>& rows) {
   std::vector<std::string> names;
+  names.reserve(rows.size());
   for (const Row& row : rows) names.push_back(row.dimension);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());

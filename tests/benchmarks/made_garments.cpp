@@ -76,7 +76,7 @@ DrapedFile read_draped(const std::filesystem::path& path) {
   const std::size_t vertices = count_in(header, "vertex"), faces = count_in(header, "face");
   for (std::size_t v = 0; v < vertices; ++v) {
     std::array<double, 5> row{};
-    for (double& value : row) value = take<float>(bytes, at);
+    for (double& value : row) value = static_cast<double>(take<float>(bytes, at));
     out.positions.emplace_back(row[0], row[1], row[2]);
     out.flat.emplace_back(row[3], row[4]);
   }

@@ -45,6 +45,19 @@ TEST(ExplainBands, KeepThePriorWhereNothingStandsOut) {
   EXPECT_LT(loose[1].mean, 0.003);
 }
 
+TEST(ExplainBands, TakeFoldedClothForLoose) {
+  // All strips alike: nothing to compare, but folds at the line itself say that it is loose.
+  const auto nothing = [](double) { return 0.0; };
+  StretchPrior smooth = kWide, folded = kWide;
+  smooth.tight = tight_share(0.001);
+  folded.tight = tight_share(0.06);
+  const auto tight = explain_bands(tube(0.9, nothing, 0.001), {smooth, smooth}, kError);
+  const auto loose = explain_bands(tube(0.9, nothing, 0.06), {folded, folded}, kError);
+  EXPECT_GT(tight[0].mean, 0.004);
+  EXPECT_LT(loose[0].mean, 0.003);
+  EXPECT_LT(loose[0].standard_deviation, tight[0].standard_deviation);
+}
+
 TEST(ExplainBands, AreSurerOfAWideTubeThanOfANarrowOne) {
   const auto excess = [](double down) { return -(1 - down) * 0.03; };
   const std::vector<Stretch> trunk = explain_bands(tube(1.0, excess), {kWide, kNearlyNone}, kError);

@@ -58,6 +58,30 @@ TEST(HoopBands, ShareTheirLengthAmongTheDimensionsLinearly) {
   }
 }
 
+TEST(HoopBands, SeeFolds) {
+  const GarmentTemplate skirt = find_template("skirt");
+  const Dimensions flat = test::small_skirt();
+  const Pattern pattern = make_pattern(skirt, flat, 0.015);
+  std::vector<Vec3> smooth =
+      test::rolled_skirt(pattern, flat, [&](double t) { return flat_girth(flat, t); });
+  std::vector<Vec3> folded = smooth;
+  for (Vec3& p : folded) {
+    // Eight folds 3 cm deep: the tape goes from ridge to ridge.
+    const double scale = 1 + 0.1 * std::cos(8 * std::atan2(p.x(), p.z()));
+    p = Vec3(scale * p.x(), p.y(), scale * p.z());
+  }
+  const std::vector<std::string> names = {"width", "waist", "hip"};
+  const HoopFamily round = hoop_families(skirt, flat, pattern, smooth, names, {}).front();
+  const HoopFamily wavy = hoop_families(skirt, flat, pattern, folded, names, {}).front();
+  for (const HoopBand& band : round.bands) EXPECT_LT(band.fold, 0.002);
+  // r = 1 + 0.1 cos 8a is 7.194 long, its hull 6.762 (numerical integration); chords of 1.5 cm lose
+  // some of either.
+  const double expected = std::log(7.194 / 6.762);
+  for (const HoopBand& band : wavy.bands) EXPECT_NEAR(band.fold, expected, 0.01);
+  ASSERT_EQ(wavy.folds.size(), 3U);
+  for (const double fold : wavy.folds) EXPECT_NEAR(fold, expected, 0.01);
+}
+
 TEST(HoopBands, OfAShirtEndBelowTheArms) {
   const GarmentTemplate shirt = find_template("tshirt");
   const Dimensions flat = shirt.typical();
