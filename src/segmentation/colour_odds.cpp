@@ -7,7 +7,8 @@
 namespace regarment {
 namespace {
 
-constexpr int kBins = 16;      // per channel
+constexpr int kBins = 16;  // per channel
+constexpr std::size_t kAllBins = std::size_t{kBins} * kBins * kBins;
 constexpr float kSure = 2.5F;  // log-odds from which a vertex teaches its colour
 constexpr double kLeastTeachers = 500;
 constexpr double kMostColour = 4;  // log-odds a colour may add
@@ -44,8 +45,7 @@ void add_colour_odds(const Scan& scan, const std::vector<std::uint8_t>& skip,
                      std::vector<float>& odds) {
   const std::vector<Colour>& colours = scan.mesh.colours;
   if (colours.empty()) return;
-  std::array<Histogram, 2> seen = {Histogram(kBins * kBins * kBins, 0.0),
-                                   Histogram(kBins * kBins * kBins, 0.0)};
+  std::array<Histogram, 2> seen = {Histogram(kAllBins, 0.0), Histogram(kAllBins, 0.0)};
   std::array<double, 2> teachers = {0, 0};
   const auto teaches = [&](std::size_t v) { return skip[v] == 0 && std::abs(odds[v]) > kSure; };
   for (std::size_t v = 0; v < odds.size(); ++v) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/error.h"
@@ -14,7 +13,6 @@ namespace regarment {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
-constexpr double kFar = 1.0;               // m, what vertices that are not looked at are said to be
 constexpr double kSurelyOff = 0.15;        // m from the garment at which nothing is its cloth
 constexpr double kBorderStep = 0.005;      // m between points of the garment's border
 constexpr double kMostInside = 0.1;        // m, deeper inside nothing changes
@@ -23,15 +21,13 @@ constexpr double kCoveredAgreement = 0.5;  // cosine of its normal and the garme
 constexpr double kSharpness = 4;           // log-odds of a vertex right on the sheet
 constexpr double kReachInErrors = 3;  // a drape that lies off the cloth takes in what is this far
 constexpr double kNormalFromMedian = 1.4826;
-constexpr double kFolded =
-    0.35;  // outside of the sheet lie its folds: they count as this much nearer
+constexpr double kFolded = 0.35;     // share of their distance that counts for folds outside of it
 constexpr double kDeep = 0.02;       // m inside the edges seen: cloth, or what is under it
 constexpr double kNearSheet = 0.02;  // m, up to here the sheet knows where its border is
 constexpr double kDisagree = 0.03;   // m between sheet and edges: they mean different places
 constexpr double kLostShare = 0.1;   // of borders lie somewhere else altogether,
 constexpr double kLostError = 0.08;  // m from where they are thought to be
-constexpr double kTurnedAway =
-    0.4;  // surface that faces against the sheet counts as this much further away
+constexpr double kTurnedAway = 0.4;  // surface facing against it counts as further off by this
 constexpr double kMostOdds = 8;
 constexpr double kMostOnSheet = 4;  // odds of lying on the sheet say that much for cloth at most
 constexpr double kSlope = 1.7;      // of a logistic that stands for a normal distribution

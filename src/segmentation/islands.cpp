@@ -31,7 +31,7 @@ void remove_islands(std::span<const CutLink> links, std::span<const float> odds,
   for (std::uint32_t v = 0; v < n; ++v) {
     const std::uint32_t root = root_of(parent, v);
     ++size[root];
-    support[root] += (label[v] ? 1 : -1) * double{odds[v]};
+    support[root] += (label[v] ? 1 : -1) * static_cast<double>(odds[v]);
   }
   for (std::uint32_t v = 0; v < n; ++v) {
     const std::uint32_t root = root_of(parent, v);

@@ -104,8 +104,8 @@ void segment_by_cut(const Scan& scan, const std::vector<BodyPart>& parts,
   for (std::size_t v = 0; v < n; ++v) {
     if (skip[v]) continue;
     if (cloth[v]) labels.label[v] = static_cast<std::uint8_t>(layer);
-    labels.probability[v] =
-        std::min(labels.probability[v], static_cast<float>(probability(margin[v])));
+    labels.probability[v] = std::min(
+        labels.probability[v], static_cast<float>(probability(static_cast<double>(margin[v]))));
   }
 }
 

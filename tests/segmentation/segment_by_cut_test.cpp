@@ -73,8 +73,8 @@ TEST(SegmentByCut, IsLessSureAtTheBorderThanAwayFromIt) {
     ASSERT_GE(labels.probability[v], 0.5F);
     ASSERT_LE(labels.probability[v], 0.99F);
     const double off = std::abs(dressed.scan.mesh.positions[v].y() - skirt.waist_y);
-    if (off < 0.004) at_border += double{labels.probability[v]}, n_border += 1;
-    if (off > 0.05) away += double{labels.probability[v]}, n_away += 1;
+    if (off < 0.004) at_border += static_cast<double>(labels.probability[v]), n_border += 1;
+    if (off > 0.05) away += static_cast<double>(labels.probability[v]), n_away += 1;
   }
   EXPECT_LT(at_border / n_border, 0.9);
   EXPECT_GT(away / n_away, 0.95);
