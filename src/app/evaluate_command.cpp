@@ -28,6 +28,7 @@ void check_fit_command(const std::vector<std::string>& command,
   if (fit->known.fix.empty() && fit->known.hint.empty()) return;
   AnalyzeOptions how;
   std::vector<GarmentTemplate> templates;
+  templates.reserve(garments.size());
   for (const std::string& name : garments) templates.push_back(find_template(name));
   apply_known(fit->known, templates, how);
 }

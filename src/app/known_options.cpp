@@ -107,7 +107,7 @@ void fix(const std::vector<NamedLength>& lengths, const std::vector<GarmentTempl
   for (const NamedLength& one : lengths) {
     const auto [garment, name] = find_named("--fix", one.name, names);
     if (!how.fixed[garment].emplace(name, one.cm / 100).second)
-      throw UsageError("--fix: " + garment + "." + name + " is given twice; give it once");
+      throw UsageError("--fix: " + in_quotes(one.name) + " is given twice; give it once");
   }
   try {
     check_fixed(how, templates);
@@ -127,7 +127,7 @@ void hint(const std::vector<NamedLength>& heights, const std::vector<GarmentTemp
                        " lies more than 300 cm above the floor; give its height in cm");
     const std::string edge = garment + "." + name.substr(0, name.size() - std::strlen(kEdge));
     if (!edges.emplace(edge, one.cm / 100).second)
-      throw UsageError("--hint: " + garment + "." + name + " is given twice; give it once");
+      throw UsageError("--hint: " + in_quotes(one.name) + " is given twice; give it once");
   }
   for (const auto& [edge, height] : edges) how.placement.edges[edge] = height;
 }

@@ -38,6 +38,7 @@ FitArguments arguments_of(const Result& result) {
     if (!value.empty()) words.push_back(value);
   }
   std::vector<const char*> texts;
+  texts.reserve(words.size());
   for (const std::string& word : words) texts.push_back(word.c_str());
   try {
     const Command command = parse_command_line(static_cast<int>(texts.size()), texts.data());

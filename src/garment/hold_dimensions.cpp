@@ -72,7 +72,7 @@ Dimensions nearest_holding(const GarmentTemplate& garment, const Dimensions& wan
                            const Dimensions& held) {
   if (held.empty()) return garment.nearest_possible(wanted);
   check_held(garment, held);
-  const Dimensions nearest = with(bounded(garment, wanted), held);
+  Dimensions nearest = with(bounded(garment, wanted), held);
   if (possible(garment, nearest)) return nearest;
   const auto safe = some_garment(garment, nearest, held);
   if (!safe)

@@ -105,7 +105,8 @@ TEST(ScanState, KeepsNormalsOfAllDirections) {
   auto& normals = state.scan.mesh.normals;
   for (Vec3& n : normals)
     n = Vec3(dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1)).normalized();
-  for (int k = 0; k < 3; ++k) normals[2 * k] = Vec3::Unit(k), normals[2 * k + 1] = -Vec3::Unit(k);
+  for (std::size_t k = 0; k < 3; ++k)
+    normals[2 * k] = Vec3::Unit(static_cast<int>(k)), normals[2 * k + 1] = -normals[2 * k];
   normals[6].setZero();
   expect_same_surface(state.scan, read_state(write_state(state), "s").scan);
 }
