@@ -6,95 +6,16 @@
 #include <limits>
 #include <numbers>
 
-#include "base/error.h"
+#include "measure/edge_evidence.h"
+#include "measure/level_loops.h"
 
 namespace regarment {
 namespace {
 
-constexpr double kWindow = 0.028;       // m of surface looked at on each side of an edge
-constexpr double kSkip = 0.004;         // m next to the edge left out: meshes round it off
-constexpr double kDropEvidence = 1.0;   // evidence of cloth above nothing at all
-constexpr double kFullContrast = 0.12;  // colour difference that counts as fully convincing
-constexpr double kMostEvidence = 2.0;
 constexpr double kSlopePenalty = 0.15;  // evidence lost for moving one row, growing with its square
+constexpr double kDropStep = 0.02;      // m, step said of cloth above nothing
+constexpr double kDropFrom = 0.012;     // m, a step so large is a drop
 constexpr double kStray = 0.01;  // m, scale at which a column stops counting for the straight curve
-constexpr double kSeenShare = 0.3;  // of full evidence: the column shows the edge
-
-/// What lies on both sides of one boundary between rows.
-struct Boundary {
-  double step = 0;       // m, garment surface minus the other at the boundary
-  double garment_r = 0;  // m, garment surface extrapolated to the boundary
-  double contrast = 0;
-  bool drop = false;  // cloth on one side, nothing on the other
-  double filled = 1;  // share of the garment's rows that hold data: all of them beside a drop
-  bool valid = false;
-};
-
-struct SideSums {
-  int n = 0;
-  double x = 0, y = 0, xx = 0, xy = 0;
-  Vec3 colour = Vec3::Zero();
-
-  void add(double xi, double yi) { ++n, x += xi, y += yi, xx += xi * xi, xy += xi * yi; }
-  double spread() const { return xx - x * x / n; }
-  double covariance() const { return xy - x * y / n; }
-};
-
-int window_rows(const LimbMap& map) {
-  return std::max(4, static_cast<int>(std::lround(kWindow / map.step)));
-}
-
-/// Sums over the rows of one side; `direction` +1 towards larger rows.
-SideSums side_sums(const LimbMap& map, int boundary, int column, int direction) {
-  SideSums sums;
-  const int skip = static_cast<int>(std::lround(kSkip / map.step));
-  const int rows = window_rows(map);
-  for (int k = skip; k < skip + rows; ++k) {
-    const int i = direction > 0 ? boundary + k : boundary - 1 - k;
-    if (i < 0 || i >= map.rows || !map.has(i, column)) continue;
-    const std::size_t cell = map.index(i, column);
-    sums.add((i + 0.5 - boundary) * map.step, map.radius[cell]);
-    if (!map.colour.empty()) sums.colour += map.colour[cell];
-  }
-  return sums;
-}
-
-/// Two parallel lines through the rows on both sides; their offset at the boundary is the step.
-Boundary fit_boundary(const LimbMap& map, int boundary, int column, bool garment_above) {
-  const SideSums garment = side_sums(map, boundary, column, garment_above ? 1 : -1);
-  const SideSums other = side_sums(map, boundary, column, garment_above ? -1 : 1);
-  Boundary b;
-  if (garment.n < 3) return b;
-  if (other.n < 3) {
-    // A stray row or two beyond the edge make a drop less sure, not impossible.
-    b.drop = b.valid = true;
-    const int next = garment_above ? boundary : boundary - 1;
-    const bool touches = next >= 0 && next < map.rows && map.has(next, column);
-    b.filled = (garment.n + (touches ? 1 : 0) - other.n) / (window_rows(map) + 1.0);
-    const double slope = garment.spread() > 0 ? garment.covariance() / garment.spread() : 0;
-    b.garment_r = (garment.y - slope * garment.x) / garment.n;
-    return b;
-  }
-  const double slope =
-      (garment.covariance() + other.covariance()) / (garment.spread() + other.spread());
-  b.garment_r = (garment.y - slope * garment.x) / garment.n;
-  b.step = b.garment_r - (other.y - slope * other.x) / other.n;
-  if (!map.colour.empty())
-    b.contrast = (garment.colour / garment.n - other.colour / other.n).norm();
-  b.valid = true;
-  return b;
-}
-
-double evidence(const Boundary& b, const EdgeSearch& search, bool coloured) {
-  if (!b.valid) return 0;
-  if (b.drop) return kDropEvidence * b.filled;
-  // Beyond a cloth's thickness evidence grows ever more slowly, but grows: its peak is the edge.
-  double step = std::max(b.step / search.cloth_step, -1.0);
-  if (step > 1) step = 1 + (step - 1) / (step + 1) * (kMostEvidence - 1);
-  if (b.step > search.most_step) step = kSeenShare;  // a hand beside the edge, not cloth on skin
-  if (!coloured) return step;
-  return 0.5 * step + kMostEvidence * b.contrast / (b.contrast + kFullContrast);
-}
 
 /// Best path from column `first` over `count` columns; with `anchor` >= 0 it starts and ends there.
 std::vector<int> best_path(const std::vector<double>& score, int rows, int columns, int first,
@@ -197,88 +118,105 @@ std::vector<double> two_waves(const std::vector<double>& s, const std::vector<bo
   return {curve.data(), curve.data() + n};
 }
 
-}  // namespace
-
-FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
-  FoundEdge edge;
-  const int low = std::max(1, static_cast<int>(std::ceil((search.s_low - map.s_low) / map.step)));
-  const int high =
-      std::min(map.rows - 1, static_cast<int>(std::floor((search.s_high - map.s_low) / map.step)));
-  const int rows = high - low + 1;
-  if (rows < 3) return edge;
-  const bool coloured = !map.colour.empty();
-  std::vector<Boundary> boundary(static_cast<std::size_t>(rows) *
-                                 static_cast<std::size_t>(map.columns));
-  std::vector<double> score(boundary.size());
-  for (int j = 0; j < map.columns; ++j) {
-    for (int i = 0; i < rows; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) +
-                            static_cast<std::size_t>(i);
-      boundary[k] = fit_boundary(map, low + i, j, search.garment_above);
-      score[k] = evidence(boundary[k], search, coloured);
-      if (search.spread > 0 && !search.centre.empty()) {
-        const double z = (map.s_low + (low + i) * map.step - search.centre[j]) / search.spread;
-        score[k] -= 0.1 * z * z;
-      }
-    }
-  }
-  const int columns = map.columns;
+/// The closed loop of largest summed evidence, a row per column.
+std::vector<int> closed_path(const EdgeEvidence& e, int max_slope) {
   const std::vector<int> twice =
-      best_path(score, rows, columns, 0, 2 * columns, -1, search.max_slope);
-  const int anchor = twice[columns];
-  const std::vector<int> path =
-      best_path(score, rows, columns, 0, columns + 1, anchor, search.max_slope);
+      best_path(e.score, e.rows, e.columns, 0, 2 * e.columns, -1, max_slope);
+  const int anchor = twice[e.columns];
+  return best_path(e.score, e.rows, e.columns, 0, e.columns + 1, anchor, max_slope);
+}
 
+/// Takes the evidence about a loop away, so that another one is found.
+void leave_out(const std::vector<int>& path, double rows, EdgeEvidence& e) {
+  for (int j = 0; j < e.columns; ++j)
+    for (int i = 0; i < e.rows; ++i)
+      if (std::abs(i - path[j]) < rows) e.score[e.index(i, j)] = kLeftOut;
+}
+
+/// Rows from a boundary to the top of the parabola through its evidence and its neighbours'.
+double within_row(const EdgeEvidence& e, int i, int j) {
+  if (i < 1 || i + 1 >= e.rows) return 0;
+  const double a = e.score[e.index(i - 1, j)], m = e.score[e.index(i, j)],
+               c = e.score[e.index(i + 1, j)];
+  const double bend = a - 2 * m + c;
+  return bend < -1e-6 ? std::clamp(0.5 * (a - c) / bend, -0.5, 0.5) : 0.0;
+}
+
+/// Puts what strays from a smooth curve on it.
+void straighten(const LimbMap& map, double straightness, FoundEdge& edge) {
+  const std::vector<double> straight = two_waves(edge.s, edge.seen);
+  for (int j = 0; j < map.columns; ++j) {
+    if (std::abs(edge.s[j] - straight[j]) <= straightness) continue;
+    edge.s[j] = straight[j];
+    edge.r[j] = outer_radius(map, straight[j], map.column_phi(j), 0.5);
+    if (edge.r[j] < 0) edge.r[j] = edge.r[(j + map.columns - 1) % map.columns];
+  }
+}
+
+FoundEdge edge_on_path(const LimbMap& map, const EdgeSearch& search, const EdgeEvidence& e,
+                       const std::vector<int>& path) {
+  FoundEdge edge;
+  const int columns = map.columns;
   std::vector<double> steps, contrasts, drops;
   edge.s.resize(columns), edge.r.resize(columns), edge.step.assign(columns, 0.0);
   edge.seen.assign(columns, false);
-  int seen = 0;
   for (int j = 0; j < columns; ++j) {
-    const auto at = [&](int i) -> std::size_t {
-      return static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) +
-             static_cast<std::size_t>(i);
-    };
-    const Boundary& b = boundary[at(path[j])];
-    double offset = 0;  // rows, top of the parabola through the neighbours
-    if (path[j] > 0 && path[j] + 1 < rows) {
-      const double a = score[at(path[j] - 1)], c = score[at(path[j] + 1)], m = score[at(path[j])];
-      const double bend = a - 2 * m + c;
-      if (bend < -1e-6) offset = std::clamp(0.5 * (a - c) / bend, -0.5, 0.5);
-    }
-    edge.s[j] = map.s_low + (low + path[j] + offset) * map.step;
+    const EdgeBoundary& b = e.boundary[e.index(path[j], j)];
+    const double score = e.score[e.index(path[j], j)];
+    edge.s[j] = map.s_low + (e.low + path[j] + within_row(e, path[j], j)) * map.step;
     edge.r[j] = b.garment_r;
-    edge.seen[j] = b.valid && score[at(path[j])] > kSeenShare;
-    edge.score += score[at(path[j])] / columns;
+    edge.seen[j] = b.valid && score > kSeenShare;
+    edge.score += score / columns;
     if (!edge.seen[j]) continue;
-    ++seen;
-    edge.step[j] = b.drop ? 0.02 : b.step;
+    edge.step[j] = b.drop ? kDropStep : b.step;
     steps.push_back(edge.step[j]);
     if (!b.drop) contrasts.push_back(b.contrast);
-    drops.push_back(b.drop || b.step > 0.012);
+    drops.push_back(b.drop || b.step > kDropFrom);
   }
-  edge.coverage = static_cast<double>(seen) / columns;
-  if (seen < 3) return edge;
+  edge.coverage = static_cast<double>(steps.size()) / columns;
+  if (steps.size() < 3) return edge;
   fill_unseen(edge.s, edge.seen);
   fill_unseen(edge.r, edge.seen);
-  if (search.straightness > 0) {
-    const std::vector<double> straight = two_waves(edge.s, edge.seen);
-    for (int j = 0; j < columns; ++j) {
-      if (std::abs(edge.s[j] - straight[j]) <= search.straightness) continue;
-      edge.s[j] = straight[j];
-      edge.r[j] = outer_radius(map, straight[j], map.column_phi(j), 0.5);
-      if (edge.r[j] < 0) edge.r[j] = edge.r[(j + columns - 1) % columns];
-    }
-  }
+  if (search.straightness > 0) straighten(map, search.straightness, edge);
   const std::vector<double> smooth = smoothed(edge.s, 4);
   std::vector<double> residual;
   for (int j = 0; j < columns; ++j) residual.push_back(std::abs(edge.s[j] - smooth[j]));
-  edge.standard_error = 1.4826 * median(residual) / std::sqrt(std::max(1.0, seen / 5.0));
+  edge.standard_error =
+      1.4826 * median(residual) / std::sqrt(std::max(1.0, static_cast<double>(steps.size()) / 5.0));
   edge.s = smooth;
   edge.typical_step = median(steps);
   edge.contrast = median(contrasts);
-  const double dropped = median(drops);
-  edge.evidence = dropped > 0.5 ? "drop" : edge.contrast > kFullContrast ? "colour" : "step";
+  edge.evidence = median(drops) > 0.5 ? "drop" : edge.contrast > kFullContrast ? "colour" : "step";
   return edge;
+}
+
+}  // namespace
+
+FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
+  std::vector<FoundEdge> edges = find_edges(map, search, 1);
+  return edges.empty() ? FoundEdge{} : std::move(edges.front());
+}
+
+std::vector<FoundEdge> find_edges(const LimbMap& map, const EdgeSearch& search, int most) {
+  std::vector<FoundEdge> edges;
+  EdgeEvidence evidence = edge_evidence(map, search);
+  if (evidence.rows < 3) return edges;
+  const std::vector<LevelLoop> loops =
+      search.straightness > 0 ? level_loops(evidence, map, search, most) : std::vector<LevelLoop>{};
+  const std::vector<double> all = evidence.score;
+  for (int n = 0; n < most; ++n) {
+    if (search.straightness > 0) {
+      if (n >= static_cast<int>(loops.size())) break;
+      evidence.score = all;
+      keep_near(loops[n], search.straightness / map.step, evidence);
+    }
+    const std::vector<int> path = closed_path(evidence, search.max_slope);
+    edges.push_back(edge_on_path(map, search, evidence, path));
+    if (search.straightness <= 0) leave_out(path, kApart / map.step, evidence);
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const FoundEdge& a, const FoundEdge& b) { return a.score > b.score; });
+  return edges;
 }
 
 std::vector<Vec3> edge_points(const FoundEdge& edge, const LimbMap& map, const LimbAxis& axis) {

@@ -17,6 +17,8 @@ struct EdgeSearch {
   double most_step = 1.0;     // m, a larger step is something else than this edge
   double straightness = 0.0;  // m, the edge may stray this far from a curve of two waves round the
                               // limb (a tilt and an oval); 0: as far as it likes
+  double tilt = 0.0;          // m, most amplitude of that curve's tilt
+  double dip = 0.0;           // m, most that it lies lower at both sides than in front and behind
   int max_slope = 3;          // rows the edge may move from one column to the next
 };
 
@@ -41,6 +43,12 @@ struct FoundEdge {
 /// are compared, and the loop of largest summed evidence is found by dynamic programming. Returns
 /// an edge with empty vectors when the range holds no data.
 FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search);
+
+/// The best loops that lie well apart, the one of most evidence first, at most `most`. With
+/// `straightness` each of them keeps that near to a level curve (a tilt and an oval), for which the
+/// evidence of all columns counts together: a faint edge shows in the whole loop before it shows in
+/// its parts.
+std::vector<FoundEdge> find_edges(const LimbMap& map, const EdgeSearch& search, int most);
 
 /// Where a found edge lies in space, closed, one point per column.
 std::vector<Vec3> edge_points(const FoundEdge& edge, const LimbMap& map, const LimbAxis& axis);

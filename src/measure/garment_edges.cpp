@@ -15,8 +15,11 @@ constexpr double kSaidReach = 0.03;    // m about a height that a person gave
 constexpr double kBridge = 1.2;        // radians of missing surface bridged for pieces cut off
 constexpr double kLooseReach = 0.03;   // m from that surface at which a loose piece belongs to it
 constexpr double kWaistStray = 0.012;  // m, a waist is cut straight
+constexpr double kWaistTilt = 0.05;    // m, amplitude
+constexpr double kWaistDip = 0.03;     // m, the side seams pull it down
 constexpr double kFacing = 0.5;  // caps and bulges that close a hem face down, cloth faces out
 constexpr double kFineSpacing = 0.0045;  // m between samples that fill the finest cells
+constexpr double kArmpitShare = 0.74;    // of the height; arms that touch the side hide it
 constexpr double kArmReach = 0.16;       // m, samples further from an arm's axis are torso
 constexpr double kLeastCoverage = 0.8;   // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
@@ -189,7 +192,7 @@ void Finder::add_limbs() {
 void Finder::find_on_torso(const PatternEdge& edge) {
   const LimbView& view = out.limbs.at("torso");
   const double armpit = std::max(body.armpit[0], body.armpit[1]);
-  const double top = (armpit > 0 ? armpit : 0.74 * body.height) - 0.03;
+  const double top = std::max(armpit, kArmpitShare * body.height) - 0.03;
   GarmentEdge found;
   found.limb = "torso";
   found.garment_above = at_bottom(pattern, edge);
@@ -202,10 +205,10 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   } else if (!found.garment_above) {
     // A waist: cloth on skin, somewhere between the hips and the chest.
     search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
-    search.straightness = kWaistStray;
+    search.straightness = kWaistStray, search.tilt = kWaistTilt, search.dip = kWaistDip;
     found.found = find_edge(view.map, search);
   } else if (out.upper_body) {
-    search.s_low = 0.1 * body.height, search.s_high = top - 0.03;
+    search.s_low = 0.1 * body.height, search.s_high = top + 0.06;
     found.found = find_with_rivals(view.map, search, true);
   } else {
     search.s_low = 0.05 * body.height, search.s_high = 0.5 * body.height;
