@@ -90,7 +90,7 @@ EdgeBoundary fit_boundary(const LimbMap& map, int boundary, int column, bool gar
 }
 
 double evidence(const EdgeBoundary& b, const EdgeSearch& search, bool coloured) {
-  if (!b.valid) return 0;
+  if (!b.valid || b.garment_r > search.widest) return 0;
   if (b.drop) return kDropEvidence * b.filled;
   // Beyond a cloth's thickness evidence grows ever more slowly, but grows: its peak is the edge.
   double step = std::max(b.step / search.cloth_step, -1.0);

@@ -15,6 +15,7 @@ struct EdgeSearch {
   double spread = 0;          // m, how far from `centre` it still may well be (standard deviation)
   double cloth_step = 0.004;  // m, step of cloth thickness that counts as fully convincing
   double most_step = 1.0;     // m, a larger step is something else than this edge
+  double widest = 1.0;  // m, surface further from the axis than this belongs to something else
   double straightness = 0.0;  // m, the edge may stray this far from a curve of two waves round the
                               // limb (a tilt and an oval); 0: as far as it likes
   double tilt = 0.0;          // m, most amplitude of that curve's tilt

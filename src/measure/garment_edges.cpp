@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "base/error.h"
 
@@ -25,9 +26,17 @@ constexpr double kLeastCoverage = 0.8;   // of the loop where a person's own sha
 constexpr double kLeastScore = 0.8;
 constexpr double kForkBelow = 0.03, kForkAbove = 0.12;  // m, a skirt's hem about where legs join
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
-constexpr double kSleeveShare = 0.55;  // of the arm in which a cuff is looked for first
-constexpr double kFurtherGain = 0.3;   // of evidence that a cuff beyond must have more
-constexpr double kRivalShare = 0.7;    // of the best edge's score that makes another edge a rival
+constexpr double kHandShare = 0.12;    // of the height: from wrist to fingertips
+constexpr double kCuffBefore = 0.06;   // m, the shortest sleeve ends so far before the armpit
+constexpr double kSleeveRadius = 0.1;  // m, what lies further from an arm's axis is torso
+constexpr int kCandidates = 4;         // places where an edge may be that are compared
+constexpr double kSleevesDiffer = 0.04;               // m, both sleeves end alike within this
+constexpr double kUnequal = 0.1, kUnequalMost = 0.4;  // evidence lost at that difference, at most
+constexpr double kSureness = 12;  // a rival with less evidence is exp(-12 times it) as probable
+constexpr double kLeastWeight = 0.05;  // of that of the best: less probable ones are not said
+constexpr double kArmLead = 0.12;      // m of the shoulder before the armpit
+constexpr double kCuffStray = 0.015, kCuffTilt = 0.05;  // m, a cuff is cut straight
+constexpr double kRivalShare = 0.7;  // of the best edge's score that makes another edge a rival
 
 std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken,
                                bool want_taken) {
@@ -126,6 +135,37 @@ struct Resolution {
   int columns(int most) const { return std::max(16, static_cast<int>(most / scale)); }
 };
 
+double mean_of(const std::vector<double>& v) {
+  return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
+}
+
+/// Where a sleeve may end.
+struct Cuff {
+  std::string name, limb;
+  double map_low = 0;             // m, where the map of its arm begins: a fixed place on the arm
+  std::vector<FoundEdge> places;  // best first
+
+  double along(std::size_t i) const { return mean_of(places[i].s) - map_low; }
+};
+
+/// Makes one of the places the edge and those that are nearly as probable its rivals.
+void settle(std::vector<FoundEdge> places, std::size_t chosen, GarmentEdge& edge) {
+  const double best = places[chosen].score;
+  double sum = 1;
+  std::vector<EdgeHypothesis> rivals;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i == chosen) continue;
+    // What was not chosen although it shows more has reasons against it: as good as the chosen one.
+    const double weight = std::exp(kSureness * std::min(0.0, places[i].score - best));
+    if (weight < kLeastWeight) continue;
+    rivals.push_back({std::move(places[i]), weight});
+    sum += weight;
+  }
+  for (EdgeHypothesis& rival : rivals) rival.weight /= sum;
+  edge.found = std::move(places[chosen]);
+  edge.rivals = std::move(rivals);
+}
+
 struct Finder {
   const SurfaceSamples& samples;
   const Body& body;
@@ -135,10 +175,13 @@ struct Finder {
   const std::map<std::string, double>& said;
   Resolution fine;
   GarmentEdges out;
+  std::vector<Cuff> cuffs = {};
 
+  double arm_low(int side) const;
   void add_limbs();
   void find_on_torso(const PatternEdge& edge);
   void find_on_arm(const PatternEdge& edge);
+  void choose_cuffs();
   void find_on_neck(const PatternEdge& edge);
   bool hem_joins_legs() const;
   void judge_torso() const;
@@ -149,6 +192,12 @@ struct Finder {
 void Finder::missing(const std::string& name, const FoundEdge& edge) const {
   throw NoGarmentError("no " + title + " on this scan: " + describe(name, edge) +
                        "; ask for the garment that is worn");
+}
+
+/// Where the map of an arm begins: higher up the arm where it hides the armpit that its axis counts
+/// from.
+double Finder::arm_low(int side) const {
+  return -kArmLead - std::max(0.0, kArmpitShare * body.height - body.armpit[side]);
 }
 
 void Finder::add_limbs() {
@@ -175,7 +224,7 @@ void Finder::add_limbs() {
     if (!body.arms[side].present()) continue;
     const LimbAxis axis = arm_axis(body, side);
     members = arm_members(samples, body, axis, side, taken);
-    map = make_limb_map(samples, members, axis, -0.12, axis.s_max(), fine.step(kArmStep),
+    map = make_limb_map(samples, members, axis, arm_low(side), axis.s_max(), fine.step(kArmStep),
                         fine.columns(kArmColumns));
     out.limbs.emplace(side == 0 ? "left_arm" : "right_arm",
                       LimbView{axis, std::move(map), std::move(members)});
@@ -206,7 +255,8 @@ void Finder::find_on_torso(const PatternEdge& edge) {
     // A waist: cloth on skin, somewhere between the hips and the chest.
     search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
     search.straightness = kWaistStray, search.tilt = kWaistTilt, search.dip = kWaistDip;
-    found.found = find_edge(view.map, search);
+    std::vector<FoundEdge> places = find_edges(view.map, search, kCandidates);
+    if (!places.empty()) settle(std::move(places), 0, found);
   } else if (out.upper_body) {
     search.s_low = 0.1 * body.height, search.s_high = top + 0.06;
     found.found = find_with_rivals(view.map, search, true);
@@ -228,20 +278,37 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   const auto limb = out.limbs.find(edge.limb);
   if (limb == out.limbs.end()) return;
   const LimbView& view = limb->second;
-  GarmentEdge found;
-  found.limb = edge.limb;
-  found.garment_above = false;
   EdgeSearch search;
   search.garment_above = false;
-  search.s_low = -0.06, search.s_high = kSleeveShare * view.axis.s_max();
-  found.found = find_edge(view.map, search);
-  if (found.found.coverage < kLeastCoverage || found.found.score < kLeastScore) {
-    search.s_low = search.s_high, search.s_high = 0.9 * view.axis.s_max();
-    const FoundEdge further = find_edge(view.map, search);
-    if (further.coverage >= kLeastCoverage && further.score > found.found.score + kFurtherGain)
-      found.found = further;
+  search.s_low = view.map.s_low + kArmLead - kCuffBefore;
+  search.s_high = view.axis.s_max() - kHandShare * body.height;
+  search.straightness = kCuffStray, search.tilt = kCuffTilt;
+  search.widest = kSleeveRadius;
+  Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCandidates)};
+  if (!cuff.places.empty()) cuffs.push_back(std::move(cuff));
+}
+
+/// Of the places where cuffs may be, those of most evidence; where there are two sleeves, they end
+/// at about the same distance from the shoulders.
+void Finder::choose_cuffs() {
+  std::vector<std::size_t> chosen(cuffs.size(), 0);
+  if (cuffs.size() == 2) {
+    double best = -1e9;
+    for (std::size_t a = 0; a < cuffs[0].places.size(); ++a)
+      for (std::size_t b = 0; b < cuffs[1].places.size(); ++b) {
+        const double apart = (cuffs[0].along(a) - cuffs[1].along(b)) / kSleevesDiffer;
+        const double sum = cuffs[0].places[a].score + cuffs[1].places[b].score -
+                           std::min(kUnequalMost, kUnequal * apart * apart);
+        if (sum > best) best = sum, chosen = {a, b};
+      }
   }
-  if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
+  for (std::size_t c = 0; c < cuffs.size(); ++c) {
+    GarmentEdge found;
+    found.limb = cuffs[c].limb;
+    found.garment_above = false;
+    settle(std::move(cuffs[c].places), chosen[c], found);
+    out.edges.emplace(cuffs[c].name, std::move(found));
+  }
 }
 
 /// Where a neckline of this width and depth would lie on the shoulders: s per column of the map.
@@ -352,6 +419,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
     else
       finder.find_on_arm(edge);
   }
+  finder.choose_cuffs();
   finder.judge_torso();
   finder.judge_sleeves();
   return std::move(finder.out);
