@@ -13,6 +13,7 @@ namespace regarment {
 namespace {
 
 constexpr double kSlopePenalty = 0.15;  // evidence lost for moving one row, growing with its square
+constexpr double kFaintest = 0.4;       // of evidence: errors grow no further below it
 constexpr double kDropStep = 0.02;      // m, step said of cloth above nothing
 constexpr double kDropFrom = 0.012;     // m, a step so large is a drop
 constexpr double kStray = 0.01;  // m, scale at which a column stops counting for the straight curve
@@ -181,8 +182,9 @@ FoundEdge edge_on_path(const LimbMap& map, const EdgeSearch& search, const EdgeE
   const std::vector<double> smooth = smoothed(edge.s, 4);
   std::vector<double> residual;
   for (int j = 0; j < columns; ++j) residual.push_back(std::abs(edge.s[j] - smooth[j]));
-  edge.standard_error =
-      1.4826 * median(residual) / std::sqrt(std::max(1.0, static_cast<double>(steps.size()) / 5.0));
+  const double seen = static_cast<double>(steps.size());
+  edge.standard_error = std::hypot(search.least_error / std::clamp(edge.score, kFaintest, 1.0),
+                                   1.4826 * median(residual) / std::sqrt(std::max(1.0, seen / 5)));
   edge.s = smooth;
   edge.typical_step = median(steps);
   edge.contrast = median(contrasts);

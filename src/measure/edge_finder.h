@@ -15,7 +15,8 @@ struct EdgeSearch {
   double spread = 0;          // m, how far from `centre` it still may well be (standard deviation)
   double cloth_step = 0.004;  // m, step of cloth thickness that counts as fully convincing
   double most_step = 1.0;     // m, a larger step is something else than this edge
-  double widest = 1.0;  // m, surface further from the axis than this belongs to something else
+  double widest = 1.0;     // m, surface further from the axis than this belongs to something else
+  double least_error = 0;  // m, standard error of an edge that shows all the way round
   double straightness = 0.0;  // m, the edge may stray this far from a curve of two waves round the
                               // limb (a tilt and an oval); 0: as far as it likes
   double tilt = 0.0;          // m, most amplitude of that curve's tilt
@@ -32,7 +33,7 @@ struct FoundEdge {
   double coverage = 0;        // share of columns that show the edge
   double typical_step = 0;    // m, median over the columns
   double contrast = 0;        // median colour difference across the edge, 0..1.7
-  double standard_error = 0;  // m, of s after smoothing
+  double standard_error = 0;  // m, of the mean of s, if this is the edge: larger the less shows
   double score = 0;           // mean evidence; 1 is a step of cloth thickness all the way round
   std::string evidence;       // "step", "drop" or "colour": what showed most
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
-#include "base/error.h"
+#include "measure/judge_edges.h"
+#include "measure/rim.h"
 
 namespace regarment {
 namespace {
@@ -20,11 +20,11 @@ constexpr double kWaistTilt = 0.05;    // m, amplitude
 constexpr double kWaistDip = 0.03;     // m, the side seams pull it down
 constexpr double kFacing = 0.5;  // caps and bulges that close a hem face down, cloth faces out
 constexpr double kFineSpacing = 0.0045;  // m between samples that fill the finest cells
+constexpr double kLongestShirt = 0.34;   // of the height: lower hems are of something else
 constexpr double kArmpitShare = 0.74;    // of the height; arms that touch the side hide it
 constexpr double kArmReach = 0.16;       // m, samples further from an arm's axis are torso
-constexpr double kLeastCoverage = 0.8;   // of the loop where a person's own shape shows no edge
-constexpr double kLeastScore = 0.8;
-constexpr double kForkBelow = 0.03, kForkAbove = 0.12;  // m, a skirt's hem about where legs join
+// m, standard errors of edges that show all the way round
+constexpr double kWaistError = 0.002, kHemError = 0.003, kSleeveError = 0.007, kNeckError = 0.006;
 constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
 constexpr double kHandShare = 0.12;    // of the height: from wrist to fingertips
 constexpr double kCuffBefore = 0.06;   // m, the shortest sleeve ends so far before the armpit
@@ -117,15 +117,6 @@ double covered_share(const LimbView& view, const LimbMap& taken, const GarmentEd
   return static_cast<double>(covered) / view.map.columns;
 }
 
-std::string describe(const std::string& name, const FoundEdge& edge) {
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "its %s shows on %.0f %% of the loop with %.0f %% of the evidence of a cloth's edge",
-      name.c_str(), 100 * edge.coverage, 100 * std::max(0.0, edge.score));
-  return edge.found() ? text : "no data where its " + name + " would be";
-}
-
 /// Cells of a height field hold a sample or two: thin scans get larger ones.
 struct Resolution {
   double scale;
@@ -170,7 +161,6 @@ struct Finder {
   const SurfaceSamples& samples;
   const Body& body;
   const Pattern& pattern;
-  const std::string& title;
   const std::vector<std::uint8_t>& taken;
   const std::map<std::string, double>& said;
   Resolution fine;
@@ -183,16 +173,7 @@ struct Finder {
   void find_on_arm(const PatternEdge& edge);
   void choose_cuffs();
   void find_on_neck(const PatternEdge& edge);
-  bool hem_joins_legs() const;
-  void judge_torso() const;
-  void judge_sleeves() const;
-  [[noreturn]] void missing(const std::string& name, const FoundEdge& edge) const;
 };
-
-void Finder::missing(const std::string& name, const FoundEdge& edge) const {
-  throw NoGarmentError("no " + title + " on this scan: " + describe(name, edge) +
-                       "; ask for the garment that is worn");
-}
 
 /// Where the map of an arm begins: higher up the arm where it hides the armpit that its axis counts
 /// from.
@@ -246,7 +227,7 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   found.limb = "torso";
   found.garment_above = at_bottom(pattern, edge);
   EdgeSearch search;
-  search.garment_above = found.garment_above;
+  search.garment_above = found.garment_above, search.least_error = kHemError;
   const auto given = said.find(edge.name);
   if (given != said.end()) {
     search.s_low = given->second - kSaidReach, search.s_high = given->second + kSaidReach;
@@ -254,18 +235,20 @@ void Finder::find_on_torso(const PatternEdge& edge) {
   } else if (!found.garment_above) {
     // A waist: cloth on skin, somewhere between the hips and the chest.
     search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
+    search.least_error = kWaistError;
     search.straightness = kWaistStray, search.tilt = kWaistTilt, search.dip = kWaistDip;
     std::vector<FoundEdge> places = find_edges(view.map, search, kCandidates);
     if (!places.empty()) settle(std::move(places), 0, found);
   } else if (out.upper_body) {
-    search.s_low = 0.1 * body.height, search.s_high = top + 0.06;
+    search.s_low = kLongestShirt * body.height, search.s_high = top + 0.06;
     found.found = find_with_rivals(view.map, search, true);
   } else {
     search.s_low = 0.05 * body.height, search.s_high = 0.5 * body.height;
     found.found = find_with_rivals(view.map, search, false);
   }
-  if (!found.found.found()) missing(edge.name, found.found);
-  if (!taken.empty()) {
+  if (found.found.found() && found.garment_above)
+    trim_rim(samples, view, found.garment_above, found.found);
+  if (!taken.empty() && found.found.found()) {
     const LimbMap hidden =
         make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0, body.neck,
                       fine.step(kTrunkStep), fine.columns(kTrunkColumns), kFacing);
@@ -283,7 +266,7 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   search.s_low = view.map.s_low + kArmLead - kCuffBefore;
   search.s_high = view.axis.s_max() - kHandShare * body.height;
   search.straightness = kCuffStray, search.tilt = kCuffTilt;
-  search.widest = kSleeveRadius;
+  search.widest = kSleeveRadius, search.least_error = kSleeveError;
   Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCandidates)};
   if (!cuff.places.empty()) cuffs.push_back(std::move(cuff));
 }
@@ -357,44 +340,11 @@ void Finder::find_on_neck(const PatternEdge& edge) {
   found.garment_above = true;  // larger angle from straight up
   EdgeSearch search;
   search.centre = expected_neckline(view, 0.5 * (left - right), low - high);
-  search.spread = kNeckSpread;
+  search.spread = kNeckSpread, search.least_error = kNeckError;
   search.s_low = 0.03, search.s_high = 0.24;
   search.most_step = 0.02;
   found.found = find_edge(view.map, search);
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
-}
-
-bool shows(const FoundEdge& edge) {
-  return edge.coverage >= kLeastCoverage && edge.score >= kLeastScore;
-}
-
-/// Does the garment's hem hang where the legs begin, lower than any crotch? Nothing but a skirt
-/// joins two legs there, so that a faint waist need not prove that one is worn.
-bool Finder::hem_joins_legs() const {
-  if (!body.fork_is_garment) return false;
-  for (const auto& [name, edge] : out.edges) {
-    if (edge.limb != "torso" || !edge.garment_above || !shows(edge.found)) continue;
-    double mean = 0;
-    for (const double s : edge.found.s) mean += s / static_cast<double>(edge.found.s.size());
-    if (mean > body.fork - kForkBelow && mean < body.fork + kForkAbove) return true;
-  }
-  return false;
-}
-
-void Finder::judge_torso() const {
-  if (!out.upper_body && hem_joins_legs()) return;
-  for (const auto& [name, edge] : out.edges)
-    if (edge.limb == "torso" && !edge.covered && said.count(name) == 0 && !shows(edge.found))
-      missing(name, edge.found);
-}
-
-void Finder::judge_sleeves() const {
-  if (!out.upper_body) return;
-  for (const auto& [name, edge] : out.edges)
-    if (edge.limb != "torso" && edge.limb != "neck" && shows(edge.found)) return;
-  throw NoGarmentError(
-      "no " + title +
-      " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
 }
 
 }  // namespace
@@ -409,7 +359,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
                                 const std::vector<std::uint8_t>& taken,
                                 const std::map<std::string, double>& said) {
-  Finder finder{samples, body, pattern, title, taken, said, Resolution(samples), {}};
+  Finder finder{samples, body, pattern, taken, said, Resolution(samples), {}};
   finder.add_limbs();
   for (const PatternEdge& edge : pattern.edges) {
     if (edge.limb == "torso")
@@ -420,8 +370,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
       finder.find_on_arm(edge);
   }
   finder.choose_cuffs();
-  finder.judge_torso();
-  finder.judge_sleeves();
+  judge_edges(finder.out, body, title, said);
   return std::move(finder.out);
 }
 
