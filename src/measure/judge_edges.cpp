@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastCoverage = 0.8;  // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
 constexpr double kSureCoverage = 0.93, kSureScore = 1.0;    // no body shows so much
-constexpr double kStrongScore = 1.2;                        // nor this, wherever it is
+constexpr double kStrongScore = 1.4, kLikelyScore = 0.85;   // where legs join: hem, cuffs
 constexpr double kFaintCoverage = 0.6, kFaintScore = 0.65;  // what a sure edge elsewhere excuses
 constexpr double kBesideOuter = 0.7;  // of evidence on the arms under a garment that is proven
 constexpr double kOwnColour = 0.2;    // colour difference that cloth has to what lies below it
@@ -99,15 +99,13 @@ void Judge::tshirt() const {
     const FoundEdge& hem = edge.found;
     // Cloth that has another colour than what lies below it ends in colour on the arms, too.
     if (sleeves > 0 && hem.contrast > kOwnColour && contrast < kNoColour) no_sleeves();
-    const bool strong = hem.coverage >= kLeastCoverage && hem.score >= kStrongScore;
-    const bool sure =
-        strong || (hem.coverage >= kSureCoverage && hem.score >= kSureScore && !at_fork(hem));
-    if (sure && (sleeves == 0 || best >= kFaintScore)) continue;
+    const bool crotch = at_fork(hem);
+    const bool sure = crotch ? hem.coverage >= kLeastCoverage && hem.score >= kStrongScore
+                             : hem.coverage >= kSureCoverage && hem.score >= kSureScore;
+    if (sure && (sleeves == 0 ? !crotch : best >= (crotch ? kLikelyScore : kFaintScore))) continue;
     // Noise makes cuffs of elbows and a hem of the crotch, but not much of either.
-    if (shown && shows(hem) && (!at_fork(hem) || best >= kSureScore || hem.score >= kSureScore))
-      continue;
-    if (mean >= kSureScore && hem.coverage >= kFaintCoverage && hem.score >= kLeastScore &&
-        !at_fork(hem))
+    if (shown && shows(hem) && (!crotch || best >= kSureScore || hem.score >= kSureScore)) continue;
+    if (mean >= kSureScore && hem.coverage >= kFaintCoverage && hem.score >= kLeastScore && !crotch)
       continue;
     if (shows(hem)) no_sleeves();
     missing(name, hem);
