@@ -8,22 +8,25 @@
 #include "base/progress.h"
 #include "fit/fit_garment.h"
 #include "garment/fabric.h"
+#include "joint/joint_fit.h"
 #include "placement/placement_file.h"
 
 namespace regarment {
 
 /// How dimensions are found.
 enum class Method {
+  Joint,      // particles and dimensions of a garment fitted to the scan at once
   Direct,     // measured on the scan itself
   Annealing,  // Hasler et al. 2007: a garment draped again and again
 };
 
-/// "direct", "annealing".
+/// "joint", "direct", "annealing".
 std::string method_name(Method method);
 
 struct AnalyzeOptions {
   Method method = Method::Direct;
-  FitOptions fit;  // of Method::Annealing
+  FitOptions fit;      // of Method::Annealing
+  JointOptions joint;  // of Method::Joint
   // Scan this near to the draped garment is labelled as garment by Method::Annealing, m [Hasler et
   // al. 2007, sec. 3.5]. Larger takes in more of the skin beside the edges.
   double segment_distance = 0.01;

@@ -80,6 +80,11 @@ std::string centimetres(double metres);
 GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
                                 Stage& stage);
 
+/// One garment by the joint fit: edges on the scan, then particles and dimensions at once. Throws
+/// NoGarmentError with the evidence.
+GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
+                              Stage& stage, const Progress& progress);
+
 /// One garment by the paper's search: draped again and again with other dimensions until Eq. (1) is
 /// smallest, labelled by distance [Hasler et al. 2007]. Throws NoGarmentError with the evidence.
 GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment, int layer,

@@ -163,7 +163,7 @@ void check_value(const std::string& option, const std::filesystem::path& value) 
 }
 
 void check_method(const std::string& method) {
-  if (method == "direct" || method == "annealing") return;
+  if (method == "direct" || method == "annealing" || method == "joint") return;
   if (method == "joint") {
     throw UsageError("--method joint does not exist yet; use --method direct or annealing");
   }

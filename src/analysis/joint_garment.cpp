@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/joint_target.h"
+#include "analysis/stage.h"
+#include "analysis/weigh_estimates.h"
+#include "fabric/worn_stretch.h"
+#include "garment/hold_dimensions.h"
+#include "joint/joint_fit.h"
+#include "measure/garment_region.h"
+#include "measure/lay_on_scan.h"
+#include "segmentation/caps.h"
+#include "segmentation/segment_by_cut.h"
+
+namespace regarment {
+namespace {
+
+constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standard deviations
+// The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
+// better how far they may be off.
+constexpr double kLengthTrust = 0.25;
+
+/// Lengths along the cloth, which keep folds from being taken for length.
+std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed) {
+  std::vector<MeasuredLength> out;
+  for (const ObservedLength& o : observed)
+    if (o.seen && o.observation->kind == Observation::Kind::Path)
+      out.push_back({o.observation->equals, o.value, kLengthTrust * o.standard_deviation});
+  return out;
+}
+
+/// Dimensions to start from, and the garment laid on the scan at these.
+void start(const GarmentTemplate& garment, const SeenGarment& seen, const Stage& stage,
+           const std::map<std::string, SolvedDimension>& solved, GarmentAnalysis& out) {
+  for (const Dimension& d : garment.dimensions()) out.dimensions[d.name] = solved.at(d.name).value;
+  out.dimensions = nearest_holding(garment, out.dimensions, fixed_of(stage.options, garment));
+  move_pattern(garment, out.dimensions, out.pattern);
+  out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
+  out.edges = edge_curves(seen.edges);
+  std::map<std::string, std::vector<Vec3>> curves;
+  for (const EdgeCurve& e : out.edges)
+    if (e.evidence != "covered") curves[e.name] = e.points;
+  out.draped = lay_on_scan(out.pattern, out.placed, stage.samples, seen.cloth, curves);
+}
+
+Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const Stretch& stretch,
+                           bool observable, const Dimensions& fixed) {
+  Measurement m;
+  m.name = d.name, m.code = d.code;
+  m.worn = worn.value;
+  m.flat = std::clamp(worn.value / (1 + stretch.mean), d.lower, d.upper);
+  const auto known = fixed.find(d.name);
+  m.fixed = known != fixed.end();
+  if (m.fixed) m.flat = m.low = m.high = known->second;
+  m.observable = m.fixed || observable;
+  if (m.fixed) return m;
+  const double deviation =
+      std::hypot(worn.standard_deviation, worn.value * stretch.standard_deviation);
+  m.low = std::max(d.lower, m.flat - kNormal90 * deviation);
+  m.high = std::min(d.upper, m.flat + kNormal90 * deviation);
+  if (m.observable) return m;
+  m.flat = d.typical, m.low = d.lower, m.high = d.upper;
+  m.worn.reset();
+  return m;
+}
+
+CutOptions cut_options(const GarmentEdges& edges) {
+  CutOptions options;
+  for (const auto& [name, edge] : edges.edges)
+    options.edge_error[name] = edge.found.standard_error;
+  return options;
+}
+
+}  // namespace
+
+GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
+                              Stage& stage, const Progress& progress) {
+  GarmentAnalysis out;
+  out.template_name = garment.name();
+  out.layer = layer;
+  out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
+  const SeenGarment seen = look_for(garment, out.pattern, layer, stage);
+  const Dimensions& fixed = fixed_of(stage.options, garment);
+  const auto solved = solve_dimensions(garment, seen.observed, fixed);
+  start(garment, seen, stage, solved, out);
+
+  JointOptions options = stage.options.joint;
+  options.fixed = fixed;
+  JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped,
+                           joint_target(stage.samples, seen.cloth, seen.edges),
+                           lengths_of(seen.observed), options, progress);
+  out.dimensions = fit.dimensions;
+  out.pattern = std::move(fit.pattern);
+  out.draped = std::move(fit.draped);
+  out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
+
+  const auto worn = weigh_estimates(garment, fit, seen.observed);
+  StretchOptions cloth;
+  cloth.fabric = stage.options.fabric;
+  const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
+  for (const Dimension& d : garment.dimensions())
+    out.measurements.push_back(measurement_of(d, worn.at(d.name), stretch.at(d.name),
+                                              solved.at(d.name).observable, fixed));
+  judge_drape(stage, seen.cloth, out);
+  segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), out.pattern, out.draped,
+                 layer, cut_options(seen.edges), stage.labels);
+  take(stage, seen.cloth, find_caps(scan, seen.edges), out);
+  warn_about(garment, seen.edges, out, stage.warnings);
+  return out;
+}
+
+}  // namespace regarment

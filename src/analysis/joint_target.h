@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/surface_samples.h"
+#include "joint/match_scan.h"
+#include "measure/garment_edges.h"
+
+namespace regarment {
+
+/// What the joint fit of a garment looks at: the cloth marked in `cloth` (one per sample), averaged
+/// over cells of 8 mm so that noise falls and points are evenly spread (cloth that faces different
+/// ways in one cell is kept apart), and the edges found that nothing covers.
+JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
+                         const GarmentEdges& edges);
+
+}  // namespace regarment

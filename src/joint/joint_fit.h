@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "joint/joint_model.h"
+#include "joint/match_scan.h"
+
+namespace regarment {
+
+/// A pass over the fit at one resolution.
+struct JointLevel {
+  double edge_length = 0.025;  // m, of the pattern's triangles
+  int rounds = 10;             // of matching and stepping
+  double robust = 0.02;        // m, see MatchOptions
+};
+
+struct JointOptions {
+  // From coarse to fine.
+  std::vector<JointLevel> levels = {{0.05, 12, 0.04}, {0.025, 10, 0.015}};
+  JointScales scales;
+  MatchOptions match;  // its `robust` comes from the levels
+  Dimensions fixed;  // m: known, stay as they are
+
+  void check() const;  // throws InvalidInput
+};
+
+/// What the joint fit found.
+struct JointFit {
+  Dimensions dimensions;        // m, of the worn garment: its lengths as they are seen
+  Eigen::MatrixXd covariance;   // m^2, in the template's order; held dimensions have none
+  Pattern pattern;              // at `dimensions`, finest level
+  std::vector<Vec3> draped;     // per pattern vertex, body frame, m
+  double energy = 0;            // at the end, finest level
+  double surface_error = 0;     // m, root mean square of scan off the garment, weighted
+  std::map<std::string, double> worn;  // m, the measured lines as they lie on the body
+  double matched = 0;           // share of the target's area that lies on the garment, 0..1
+};
+
+/// Fits particles and dimensions of a garment to a scan at once, coarse to fine. `start`:
+/// dimensions that make a garment; `pattern` and `placed`: the garment at `start`, one position per
+/// pattern vertex, at any edge length. `lengths`: measured before, may be empty; their slopes and
+/// values at the model are filled in here by `formulas` (one per length). Throws Stopped when
+/// progress says so.
+struct MeasuredLength {
+  std::string formula;  // over the template's dimensions
+  double value = 0, standard_deviation = 0;  // m
+};
+JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, const Pattern& pattern,
+                   const std::vector<Vec3>& placed, const JointTarget& target,
+                   const std::vector<MeasuredLength>& lengths, const JointOptions& options,
+                   const Progress& progress);
+
+}  // namespace regarment

@@ -1,0 +1,214 @@
+#include "joint/joint_system.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace regarment {
+namespace {
+
+using Index = Eigen::Index;
+
+void join(std::vector<std::vector<int>>& below, int a, int b) {
+  if (a != b) below[std::min(a, b)].push_back(std::max(a, b));
+}
+
+std::vector<std::vector<int>> neighbours_below(const JointModel& model) {
+  std::vector<std::vector<int>> below(model.pattern().particle_count);
+  for (const Spring& s : model.springs()) join(below, s.particle_a, s.particle_b);
+  for (const Hinge& h : model.hinges())
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b) join(below, h.particles[a], h.particles[b]);
+  for (std::vector<int>& list : below) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return below;
+}
+
+/// Lower triangle of the particles' block, all entries present.
+Eigen::SparseMatrix<double> empty_matrix(const std::vector<std::vector<int>>& below) {
+  const int n = static_cast<int>(below.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < n; ++j)
+    for (int b = 0; b < 3; ++b) {
+      for (int a = b; a < 3; ++a) entries.emplace_back(3 * j + a, 3 * j + b, 1.0);
+      for (const int i : below[j])
+        for (int a = 0; a < 3; ++a) entries.emplace_back(3 * i + a, 3 * j + b, 0.0);
+    }
+  Eigen::SparseMatrix<double> matrix(3 * n, 3 * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
+JointSystem::JointSystem(const JointModel& model)
+    : particles_(model.pattern().particle_count),
+      below_(neighbours_below(model)),
+      matrix_(empty_matrix(below_)) {
+  factor_.analyzePattern(matrix_);
+}
+
+void JointSystem::add_block(int i, int j, const Eigen::Matrix3d& block) {
+  if (i < j) return;  // its mirror image is added too
+  double* values = matrix_.valuePtr();
+  const int* starts = matrix_.outerIndexPtr();
+  if (i == j) {
+    for (int b = 0; b < 3; ++b)
+      for (int a = b; a < 3; ++a) values[starts[3 * j + b] + a - b] += block(a, b);
+    return;
+  }
+  const std::vector<int>& list = below_[j];
+  const auto at = static_cast<int>(std::lower_bound(list.begin(), list.end(), i) - list.begin());
+  for (int b = 0; b < 3; ++b) {
+    double* column = values + starts[3 * j + b] + (3 - b) + 3 * at;
+    for (int a = 0; a < 3; ++a) column[a] += block(a, b);
+  }
+}
+
+void JointSystem::add_springs(const JointModel& model, const std::vector<Vec3>& x) {
+  const std::size_t n = model.dimension_count();
+  for (std::size_t s = 0; s < model.springs().size(); ++s) {
+    const Spring& spring = model.springs()[s];
+    const Vec3 d = x[spring.particle_b] - x[spring.particle_a];
+    const double length = d.norm(), w = model.spring_weight(s);
+    if (length < 1e-9) continue;
+    const Vec3 along = d / length;
+    const double arc = model.arc(s), rest = spring.rest_length / arc;
+    // A stretched spring also resists being turned.
+    const double across = std::max(0.0, 1 - rest / length);
+    const Eigen::Matrix3d block =
+        w * (across * Eigen::Matrix3d::Identity() + (1 - across) * along * along.transpose());
+    add_block(spring.particle_a, spring.particle_a, block);
+    add_block(spring.particle_b, spring.particle_b, block);
+    add_block(spring.particle_b, spring.particle_a, -block);
+    const Vec3 force = w * (length - rest) * along;
+    gradient_.segment<3>(3 * spring.particle_a) -= force;
+    gradient_.segment<3>(3 * spring.particle_b) += force;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double slope = model.slopes()[s * n + k] / arc;
+      const auto column = static_cast<Index>(k);
+      mixed_.col(column).segment<3>(3 * spring.particle_a) += w * slope * along;
+      mixed_.col(column).segment<3>(3 * spring.particle_b) -= w * slope * along;
+      for (std::size_t m = 0; m <= k; ++m)
+        own_(column, static_cast<Index>(m)) += w * slope * model.slopes()[s * n + m] / arc;
+    }
+  }
+}
+
+void JointSystem::add_hinges(const JointModel& model, const std::vector<Vec3>& x) {
+  for (std::size_t h = 0; h < model.hinges().size(); ++h) {
+    const Hinge& hinge = model.hinges()[h];
+    Vec3 curvature = Vec3::Zero();
+    for (int c = 0; c < 4; ++c) curvature += hinge.weights[c] * x[hinge.particles[c]];
+    for (int a = 0; a < 4; ++a) {
+      const double w = model.hinge_weights()[h] * hinge.weights[a];
+      gradient_.segment<3>(3 * hinge.particles[a]) += w * curvature;
+      for (int b = 0; b < 4; ++b)
+        add_block(hinge.particles[a], hinge.particles[b],
+                  w * hinge.weights[b] * Eigen::Matrix3d::Identity());
+    }
+  }
+}
+
+void JointSystem::add_matches(const JointModel& model, const std::vector<Vec3>& x) {
+  for (const SurfaceMatch& m : model.surface) {
+    Vec3 at = -m.point;
+    for (int c = 0; c < 3; ++c) at += m.share[c] * x[m.particles[c]];
+    const double off = m.normal.dot(at);
+    const Eigen::Matrix3d block = m.weight * m.normal * m.normal.transpose();
+    for (int a = 0; a < 3; ++a) {
+      gradient_.segment<3>(3 * m.particles[a]) += m.weight * m.share[a] * off * m.normal;
+      for (int b = 0; b < 3; ++b)
+        add_block(m.particles[a], m.particles[b], m.share[a] * m.share[b] * block);
+    }
+  }
+  for (const EdgeMatch& e : model.edges) {
+    const double off = e.across.dot(x[e.particle] - e.point);
+    gradient_.segment<3>(3 * e.particle) += e.weight * off * e.across;
+    add_block(e.particle, e.particle, e.weight * e.across * e.across.transpose());
+  }
+}
+
+void JointSystem::add_evidence(const JointModel& model) {
+  for (const LengthEvidence& o : model.lengths)
+    own_ += o.slope * o.slope.transpose() / (o.standard_deviation * o.standard_deviation);
+  own_.diagonal() += model.prior_weight;
+}
+
+void JointSystem::assemble(const JointModel& model, const std::vector<Vec3>& x,
+                           double position_weight) {
+  const auto n = static_cast<Index>(model.dimension_count());
+  std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+  gradient_.setZero(3 * particles_);
+  mixed_.setZero(3 * particles_, n);
+  own_.setZero(n, n);
+  add_springs(model, x);
+  own_.triangularView<Eigen::StrictlyUpper>() = own_.transpose();
+  add_hinges(model, x);
+  add_matches(model, x);
+  add_evidence(model);
+  for (int i = 0; i < particles_; ++i)
+    add_block(i, i,
+              position_weight * model.particle_areas()[i] / model.scales().patch *
+                  Eigen::Matrix3d::Identity());
+  own_gradient_ = model.dimension_gradient(x);
+  factor_.factorize(matrix_);
+  if (factor_.info() != Eigen::Success)
+    throw InvalidInput("the joint system of the garment cannot be factored");
+}
+
+void JointSystem::eliminate() {
+  solved_ = factor_.solve(mixed_);
+  solved_gradient_ = factor_.solve(gradient_);
+  schur_ = own_ - mixed_.transpose() * solved_;
+  reduced_gradient_ = own_gradient_ - mixed_.transpose() * solved_gradient_;
+}
+
+JointStep JointSystem::step(const JointModel& model, const std::vector<Vec3>& x,
+                            const std::vector<bool>& held, const StepLimits& limits) {
+  assemble(model, x, 1 / (limits.position_spread * limits.position_spread));
+  eliminate();
+  for (Index k = 0; k < schur_.rows(); ++k) {
+    schur_(k, k) += 1 / (limits.dimension_spread * limits.dimension_spread);
+    if (!held[static_cast<std::size_t>(k)]) continue;
+    schur_.row(k).setZero(), schur_.col(k).setZero();
+    schur_(k, k) = 1, reduced_gradient_[k] = 0;
+  }
+  JointStep out;
+  out.dimensions = -schur_.ldlt().solve(reduced_gradient_);
+  const Eigen::VectorXd way = -solved_gradient_ - solved_ * out.dimensions;
+  double longest = 0;
+  for (int i = 0; i < particles_; ++i) {
+    out.positions.emplace_back(way.segment<3>(3 * i));
+    longest = std::max(longest, out.positions.back().norm());
+  }
+  if (!(longest > limits.longest)) return out;
+  out.shortened = true;
+  const double share = limits.longest / longest;
+  for (Vec3& p : out.positions) p *= share;
+  out.dimensions *= share;
+  return out;
+}
+
+Eigen::MatrixXd JointSystem::covariance(const JointModel& model, const std::vector<Vec3>& x,
+                                        const std::vector<bool>& held) {
+  constexpr double kLoose = 1.0;  // 1/m^2: what nothing holds may be anywhere within a metre
+  assemble(model, x, kLoose);
+  eliminate();
+  for (Index k = 0; k < schur_.rows(); ++k) {
+    if (!held[static_cast<std::size_t>(k)]) continue;
+    schur_.row(k).setZero(), schur_.col(k).setZero();
+    schur_(k, k) = 1;
+  }
+  Eigen::MatrixXd covariance =
+      schur_.ldlt().solve(Eigen::MatrixXd::Identity(schur_.rows(), schur_.cols()));
+  for (Index k = 0; k < schur_.rows(); ++k)
+    if (held[static_cast<std::size_t>(k)]) covariance.row(k).setZero(), covariance.col(k).setZero();
+  return covariance;
+}
+
+}  // namespace regarment

@@ -1,0 +1,132 @@
+#include "joint/worn_lines.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "garment/template_data.h"
+
+namespace regarment {
+namespace {
+
+constexpr double kStep = 0.012;     // m between points of a line
+constexpr double kOutside = -0.02;  // share of a triangle's height that a line may leave its panel by
+constexpr double kMostArc = 1.25;
+
+struct SurfacePoint {
+  Vec3 position, normal;
+};
+
+/// One panel of a worn pattern.
+class WornPanel {
+ public:
+  WornPanel(const Pattern& pattern, const std::vector<Vec3>& positions,
+            const std::vector<Vec3>& normals, int panel)
+      : pattern_(pattern), positions_(positions), normals_(normals) {
+    for (const Triangle& t : pattern.triangles)
+      if (pattern.panel[t[0]] == panel) triangles_.push_back(t);
+  }
+
+  /// Where a flat point lies; nothing when it is not on the panel.
+  std::optional<SurfacePoint> at(const Vec2& p) const {
+    double best = kOutside;
+    std::optional<SurfacePoint> out;
+    for (const Triangle& t : triangles_) {
+      const Vec2 &a = pattern_.flat[t[0]], &b = pattern_.flat[t[1]], &c = pattern_.flat[t[2]];
+      const Vec2 u = b - a, v = c - a, w = p - a;
+      const double area = u.x() * v.y() - u.y() * v.x();
+      const double s = (w.x() * v.y() - w.y() * v.x()) / area;
+      const double r = (u.x() * w.y() - u.y() * w.x()) / area;
+      const Vec3 share(1 - s - r, s, r);
+      if (!(share.minCoeff() > best)) continue;
+      best = share.minCoeff();
+      out = SurfacePoint{Vec3::Zero(), Vec3::Zero()};
+      for (int k = 0; k < 3; ++k) {
+        out->position += share[k] * positions_[t[k]];
+        out->normal += share[k] * normals_[pattern_.particle[t[k]]];
+      }
+      if (best >= 0) break;
+    }
+    if (out) out->normal = out->normal.norm() > 0.1 ? out->normal.normalized() : Vec3::Zero();
+    return out;
+  }
+
+  /// Worn length of a straight line of the flat panel; nothing when it leaves the panel.
+  std::optional<double> length(const Vec2& from, const Vec2& to) const {
+    const int parts = std::max(2, static_cast<int>(std::lround((to - from).norm() / kStep)));
+    double sum = 0;
+    std::optional<SurfacePoint> last;
+    for (int i = 0; i <= parts; ++i) {
+      const auto here = at(from + static_cast<double>(i) / parts * (to - from));
+      if (!here) return std::nullopt;
+      if (last) {
+        const Vec3 chord = here->position - last->position;
+        sum += chord.norm() * arc_over_chord(chord, last->normal, here->normal);
+      }
+      last = here;
+    }
+    return sum;
+  }
+
+ private:
+  const Pattern& pattern_;
+  const std::vector<Vec3>&positions_, &normals_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace
+
+double arc_over_chord(const Vec3& chord, const Vec3& normal_a, const Vec3& normal_b) {
+  const double length = chord.norm();
+  if (length < 1e-9 || normal_a.isZero() || normal_b.isZero()) return 1;
+  const Vec3 along = chord / length;
+  const Vec3 up = normal_a + normal_b - along.dot(normal_a + normal_b) * along;
+  if (up.norm() < 1e-6) return 1;
+  const Vec3 over = up.normalized();
+  const double a = std::atan2(normal_a.dot(along), normal_a.dot(over));
+  const double b = std::atan2(normal_b.dot(along), normal_b.dot(over));
+  const double half = std::abs(b - a) / 2;
+  if (half < 1e-6) return 1;
+  if (!(half < 1.2)) return kMostArc;
+  return std::min(kMostArc, half / std::sin(half));
+}
+
+std::vector<Vec3> cloth_normals(const Pattern& pattern, const std::vector<Vec3>& particles) {
+  std::vector<Vec3> normals(particles.size(), Vec3::Zero());
+  for (const Triangle& t : pattern.triangles) {
+    const int a = pattern.particle[t[0]], b = pattern.particle[t[1]], c = pattern.particle[t[2]];
+    const Vec3 n = (particles[b] - particles[a]).cross(particles[c] - particles[a]);
+    normals[a] += n, normals[b] += n, normals[c] += n;
+  }
+  for (Vec3& n : normals) n = n.norm() > 1e-15 ? Vec3(n.normalized()) : Vec3::Zero();
+  return normals;
+}
+
+std::map<std::string, double> worn_lines(const GarmentTemplate& garment,
+                                         const Dimensions& dimensions, const Pattern& pattern,
+                                         const std::vector<Vec3>& positions) {
+  std::vector<Vec3> particles(pattern.particle_count, Vec3::Zero());
+  for (std::size_t v = 0; v < positions.size(); ++v) particles[pattern.particle[v]] = positions[v];
+  const std::vector<Vec3> normals = cloth_normals(pattern, particles);
+  std::vector<WornPanel> panels;
+  for (std::size_t p = 0; p < pattern.panel_names.size(); ++p)
+    panels.emplace_back(pattern, positions, normals, static_cast<int>(p));
+  const NameScope scope(garment.data(), dimensions);
+  std::map<std::string, double> out;
+  for (const MeasureArrow& arrow : garment.data().arrows) {
+    const Vec2 from = scope.metres(arrow.from), to = scope.metres(arrow.to);
+    double sum = 0, count = 0;
+    for (const WornPanel& panel : panels)
+      for (const double side : {1.0, -1.0}) {
+        const Vec2 turned(side, 1);
+        const auto length = panel.length(from.cwiseProduct(turned), to.cwiseProduct(turned));
+        if (length) sum += *length, count += 1;
+      }
+    if (count > 0) out[arrow.dimension] = sum / count / arrow.share;
+  }
+  return out;
+}
+
+}  // namespace regarment

@@ -1,0 +1,63 @@
+#include "joint/hinges.h"
+
+#include <gtest/gtest.h>
+
+#include "rolled_skirt.h"
+
+namespace regarment {
+namespace {
+
+std::vector<Vec3> particles_of(const Pattern& pattern, const std::vector<Vec3>& vertices) {
+  std::vector<Vec3> x(pattern.particle_count);
+  for (std::size_t v = 0; v < vertices.size(); ++v) x[pattern.particle[v]] = vertices[v];
+  return x;
+}
+
+Vec3 curvature_of(const Hinge& hinge, const std::vector<Vec3>& x) {
+  Vec3 sum = Vec3::Zero();
+  for (int c = 0; c < 4; ++c) sum += hinge.weights[c] * x[hinge.particles[c]];
+  return sum;
+}
+
+TEST(Hinges, DoNotSeeMovesAndTurns) {
+  const Pattern pattern = make_pattern(find_template("skirt"), tube_dimensions(1.0, 0.5), 0.05);
+  const std::vector<Vec3> x = particles_of(pattern, rolled(pattern, 1.0, 0.16));
+  std::vector<Vec3> moved;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).matrix();
+  for (const Vec3& p : x) moved.push_back(turn * p + Vec3(3, -2, 5));
+  for (const Hinge& hinge : hinges(pattern))
+    EXPECT_NEAR(curvature_of(hinge, x).norm(), curvature_of(hinge, moved).norm(), 1e-7);
+}
+
+// The mean square over a cylinder: bent across, straight along, and in between by the side's angle.
+TEST(Hinges, MeasureTheCurvatureOfACylinder) {
+  const GarmentTemplate skirt = find_template("skirt");
+  double last = 0;
+  for (const double girth : {0.8, 1.6}) {
+    const Pattern pattern = make_pattern(skirt, tube_dimensions(girth, 0.5), 0.02);
+    const double radius = girth / (2 * std::numbers::pi);
+    const std::vector<Vec3> x = particles_of(pattern, rolled(pattern, girth, radius));
+    double sum = 0, area = 0;
+    for (const Hinge& hinge : hinges(pattern))
+      sum += hinge.area * curvature_of(hinge, x).squaredNorm(), area += hinge.area;
+    const double curvature = std::sqrt(sum / area);
+    EXPECT_GT(curvature * radius, 0.3);
+    EXPECT_LT(curvature * radius, 1.5);
+    if (last > 0) {
+      EXPECT_NEAR(last / curvature, 2, 0.02);  // half the curvature at twice the radius
+    }
+    last = curvature;
+  }
+}
+
+TEST(Hinges, EveryInnerSideOnce) {
+  const Pattern pattern = make_pattern(find_template("tshirt"), find_template("tshirt").typical(),
+                                       0.05);
+  const std::size_t sides = 3 * pattern.triangles.size();
+  std::size_t open = 0;
+  for (const PatternEdge& edge : pattern.edges) open += edge.vertices.size();
+  EXPECT_EQ(2 * hinges(pattern).size() + open, sides);
+}
+
+}  // namespace
+}  // namespace regarment
