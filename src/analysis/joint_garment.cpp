@@ -24,7 +24,7 @@ constexpr double kLengthTrust = 0.25;
 std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed) {
   std::vector<MeasuredLength> out;
   for (const ObservedLength& o : observed)
-    if (o.seen && o.observation->kind == Observation::Kind::Path)
+    if (o.seen)
       out.push_back({o.observation->equals, o.value, kLengthTrust * o.standard_deviation});
   return out;
 }
@@ -66,8 +66,7 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
 
 CutOptions cut_options(const GarmentEdges& edges) {
   CutOptions options;
-  for (const auto& [name, edge] : edges.edges)
-    options.edge_error[name] = edge.found.standard_error;
+  for (const auto& [name, edge] : edges.edges) options.edge_error[name] = edge.found.standard_error;
   return options;
 }
 

@@ -9,8 +9,8 @@
 namespace regarment {
 namespace {
 
-constexpr double kCell = 0.008;     // m, scan is averaged over this
-constexpr double kOneWay = 0.3;     // of the area: normals of a cell that cancel further are none
+constexpr double kCell = 0.008;  // m, scan is averaged over this
+constexpr double kOneWay = 0.3;  // of the area: normals of a cell that cancel further are none
 
 void average_cloth(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
                    JointTarget& target) {
@@ -51,8 +51,7 @@ JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::u
   for (const auto& [name, edge] : edges.edges) {
     if (edge.covered) continue;
     const LimbView& view = edges.limbs.at(edge.limb);
-    target.edges[name] = {edge_points(edge.found, view.map, view.axis),
-                          edge.found.standard_error};
+    target.edges[name] = {edge_points(edge.found, view.map, view.axis), edge.found.standard_error};
   }
   return target;
 }

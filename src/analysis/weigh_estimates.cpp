@@ -18,8 +18,11 @@ std::map<std::string, WornEstimate> weigh_estimates(const GarmentTemplate& garme
     const double drawn = line == fit.worn.end() ? theta : line->second;
     double seen = -1, deviation = -1;
     for (const ObservedLength& o : observed)
-      if (o.seen && o.observation->equals == d.name) seen = o.value, deviation = o.standard_deviation;
-    std::printf("@ %s %s %.5f %.5f %.5f %.5f %.5f %.4f %.5f\n", garment.name().c_str(), d.name.c_str(), 100*theta, 100*drawn, 100*seen, 100*deviation, 100*std::sqrt(fit.covariance(k, k)), fit.matched, 1000*fit.surface_error);
+      if (o.seen && o.observation->equals == d.name)
+        seen = o.value, deviation = o.standard_deviation;
+    std::printf("@ %s %s %.5f %.5f %.5f %.5f %.5f %.4f %.5f\n", garment.name().c_str(),
+                d.name.c_str(), 100 * theta, 100 * drawn, 100 * seen, 100 * deviation,
+                100 * std::sqrt(fit.covariance(k, k)), fit.matched, 1000 * fit.surface_error);
     ++k;
     out[d.name] = {drawn, 0.01};
   }

@@ -64,6 +64,7 @@ AnalyzeOptions analyze_options(const FitArguments& a,
                                const std::vector<GarmentTemplate>& templates) {
   AnalyzeOptions how;
   if (a.method == "annealing") how.method = Method::Annealing;
+  if (a.method == "joint") how.method = Method::Joint;
   apply_annealing(a.annealing, how);
   how.fit.seed = a.seed;
   how.fit.threads = thread_count(a);

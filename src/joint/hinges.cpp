@@ -16,7 +16,8 @@ struct Apex {
 };
 
 Apex apex_over(const Pattern& pattern, int top, int from, int to) {
-  const Vec2 side = pattern.flat[to] - pattern.flat[from], up = pattern.flat[top] - pattern.flat[from];
+  const Vec2 side = pattern.flat[to] - pattern.flat[from],
+             up = pattern.flat[top] - pattern.flat[from];
   const double twice = std::abs(side.x() * up.y() - side.y() * up.x());
   return {pattern.particle[top], twice / side.norm(), up.dot(side) / side.squaredNorm(), twice / 2};
 }

@@ -12,10 +12,10 @@
 namespace regarment {
 namespace {
 
-constexpr double kSlopeStep = 1e-6;       // m
-constexpr double kStill = 2e-5;           // m, a step this short ends a level
-constexpr double kFirstSpread = 0.03;     // m, StepLimits of the first round; doubles each round
-constexpr double kLastSpread = 0.5;       // m
+constexpr double kSlopeStep = 1e-6;    // m
+constexpr double kStill = 2e-5;        // m, a step this short ends a level
+constexpr double kFirstSpread = 0.03;  // m, StepLimits of the first round; doubles each round
+constexpr double kLastSpread = 0.5;    // m
 
 std::vector<LengthEvidence> evidence_of(const GarmentTemplate& garment, const Dimensions& at,
                                         const std::vector<MeasuredLength>& lengths) {
@@ -56,8 +56,8 @@ void judge(const JointModel& model, const JointTarget& target, const std::vector
   }
   out.surface_error = weight > 0 ? std::sqrt(sum / weight) : 0;
   out.matched = all > 0 ? on / all : 0;
-  out.energy = model.energy(x, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(
-                                   model.dimension_count())));
+  out.energy =
+      model.energy(x, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dimension_count())));
 }
 
 }  // namespace

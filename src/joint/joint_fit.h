@@ -20,24 +20,24 @@ struct JointLevel {
 
 struct JointOptions {
   // From coarse to fine.
-  std::vector<JointLevel> levels = {{0.05, 12, 0.04}, {0.025, 10, 0.015}};
+  std::vector<JointLevel> levels = {{0.05, 12, 0.04}, {0.02, 10, 0.015}};
   JointScales scales;
   MatchOptions match;  // its `robust` comes from the levels
-  Dimensions fixed;  // m: known, stay as they are
+  Dimensions fixed;    // m: known, stay as they are
 
   void check() const;  // throws InvalidInput
 };
 
 /// What the joint fit found.
 struct JointFit {
-  Dimensions dimensions;        // m, of the worn garment: its lengths as they are seen
-  Eigen::MatrixXd covariance;   // m^2, in the template's order; held dimensions have none
-  Pattern pattern;              // at `dimensions`, finest level
-  std::vector<Vec3> draped;     // per pattern vertex, body frame, m
-  double energy = 0;            // at the end, finest level
-  double surface_error = 0;     // m, root mean square of scan off the garment, weighted
+  Dimensions dimensions;               // m, of the worn garment: its lengths as they are seen
+  Eigen::MatrixXd covariance;          // m^2, in the template's order; held dimensions have none
+  Pattern pattern;                     // at `dimensions`, finest level
+  std::vector<Vec3> draped;            // per pattern vertex, body frame, m
+  double energy = 0;                   // at the end, finest level
+  double surface_error = 0;            // m, root mean square of scan off the garment, weighted
   std::map<std::string, double> worn;  // m, the measured lines as they lie on the body
-  double matched = 0;           // share of the target's area that lies on the garment, 0..1
+  double matched = 0;                  // share of the target's area that lies on the garment, 0..1
 };
 
 /// Fits particles and dimensions of a garment to a scan at once, coarse to fine. `start`:
@@ -46,7 +46,7 @@ struct JointFit {
 /// values at the model are filled in here by `formulas` (one per length). Throws Stopped when
 /// progress says so.
 struct MeasuredLength {
-  std::string formula;  // over the template's dimensions
+  std::string formula;                       // over the template's dimensions
   double value = 0, standard_deviation = 0;  // m
 };
 JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, const Pattern& pattern,

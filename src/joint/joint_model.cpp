@@ -86,8 +86,8 @@ double JointModel::energy(const std::vector<Vec3>& x, const Eigen::VectorXd& ste
     sum += squared((o.at_model + o.slope.dot(step) - o.value) / o.standard_deviation);
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    sum += prior_weight[i] *
-           squared(dimensions_.at(flat_slopes_.names[k]) + step[i] - prior_mean[i]);
+    sum +=
+        prior_weight[i] * squared(dimensions_.at(flat_slopes_.names[k]) + step[i] - prior_mean[i]);
   }
   return sum / 2;
 }

@@ -14,11 +14,11 @@ namespace regarment {
 
 /// A point of the scan and where on the garment it lies.
 struct SurfaceMatch {
-  std::array<int, 3> particles{};    // corners of the garment's triangle
-  Vec3 share = Vec3::Zero();         // barycentric
-  Vec3 point = Vec3::Zero();         // of the scan, body frame, m
-  Vec3 normal = Vec3::Zero();        // unit; distance counts along it, the garment slides across
-  double weight = 0;                 // 1/m^2
+  std::array<int, 3> particles{};  // corners of the garment's triangle
+  Vec3 share = Vec3::Zero();       // barycentric
+  Vec3 point = Vec3::Zero();       // of the scan, body frame, m
+  Vec3 normal = Vec3::Zero();      // unit; distance counts along it, the garment slides across
+  double weight = 0;               // 1/m^2
 };
 
 /// A particle of an open edge and where the scan shows this edge.
@@ -40,12 +40,12 @@ struct LengthEvidence {
 /// How much of what counts as one standard deviation. Quantities spread over the cloth count once
 /// per `patch`, since neighbours err alike.
 struct JointScales {
-  double strain = 0.02;        // of a spring
-  double curvature = 40;       // 1/m, of a hinge
-  double surface = 0.003;      // m, scan off the garment
-  double patch = 9e-4;         // m^2
-  double edge_parts = 4;       // independent parts of a loop
-  double prior_share = 0.25;   // of a dimension's bounds
+  double strain = 0.04;       // of a spring
+  double curvature = 80;      // 1/m, of a hinge
+  double surface = 0.001;     // m, scan off the garment
+  double patch = 9e-4;        // m^2
+  double edge_parts = 4;      // independent parts of a loop
+  double prior_share = 0.25;  // of a dimension's bounds
 };
 
 /// The energy of the joint fit: particles x and dimensions theta at once.
@@ -78,7 +78,7 @@ class JointModel {
   }
   const std::vector<double>& slopes() const { return slopes_; }  // rest_length_slopes
   const std::vector<Hinge>& hinges() const { return hinges_; }
-  const std::vector<double>& hinge_weights() const { return hinge_weights_; }  // m^2
+  const std::vector<double>& hinge_weights() const { return hinge_weights_; }    // m^2
   const std::vector<double>& particle_areas() const { return particle_areas_; }  // m^2
   std::size_t dimension_count() const { return flat_slopes_.size(); }
   const FlatSlopes& flat() const { return flat_slopes_; }

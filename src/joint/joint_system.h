@@ -9,7 +9,8 @@ namespace regarment {
 
 /// How far one step may go.
 struct StepLimits {
-  double position_spread = 0.05;   // m, standard deviation of a particle's way as a prior of the step
+  double position_spread =
+      0.05;  // m, standard deviation of a particle's way as a prior of the step
   double dimension_spread = 0.05;  // m, the same of a dimension
   double longest = 0.05;           // m, the step is shortened until no particle goes further
 };
@@ -30,8 +31,8 @@ class JointSystem {
 
   /// The step from `x`. `held`: per dimension, true = stays. Throws InvalidInput when the system
   /// cannot be factored.
-  JointStep step(const JointModel& model, const std::vector<Vec3>& x,
-                 const std::vector<bool>& held, const StepLimits& limits);
+  JointStep step(const JointModel& model, const std::vector<Vec3>& x, const std::vector<bool>& held,
+                 const StepLimits& limits);
 
   /// Covariance of the dimensions (m^2) at `x`, the particles eliminated: inverse of the Schur
   /// complement. Held dimensions have none.
@@ -54,10 +55,10 @@ class JointSystem {
   std::vector<std::vector<int>> below_;  // per particle: neighbours of larger index, ascending
   Matrix matrix_;                        // lower triangle
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
-  Eigen::VectorXd gradient_;           // 3 n
-  Eigen::MatrixXd mixed_, solved_;     // 3 n x dimensions
-  Eigen::VectorXd solved_gradient_;    // 3 n
-  Eigen::MatrixXd own_, schur_;        // dimensions x dimensions
+  Eigen::VectorXd gradient_;                         // 3 n
+  Eigen::MatrixXd mixed_, solved_;                   // 3 n x dimensions
+  Eigen::VectorXd solved_gradient_;                  // 3 n
+  Eigen::MatrixXd own_, schur_;                      // dimensions x dimensions
   Eigen::VectorXd own_gradient_, reduced_gradient_;  // dimensions
 };
 

@@ -36,18 +36,17 @@ void match_surface(const JointTarget& target, const std::vector<Triangle>& trian
   const ClosestPoint garment(x, triangles);
   const JointScales& scales = model.scales();
   for (std::size_t q = 0; q < target.points.size(); ++q) {
-    const ClosestHit hit = garment.closest(
-        target.points[q], {options.reach, target.normals[q], options.min_cosine});
+    const ClosestHit hit =
+        garment.closest(target.points[q], {options.reach, target.normals[q], options.min_cosine});
     if (!hit.found()) continue;
     Vec3 beyond = target.points[q] - hit.point;
     beyond -= beyond.dot(target.normals[q]) * target.normals[q];
     const double way = beyond.norm();
     if (hit.on_border && way > options.uncovered) continue;
     SurfaceMatch match;
-    for (int c = 0; c < 3; ++c)
-      match.particles[c] = static_cast<int>(triangles[hit.element][c]);
-    match.share = shares_of(x[match.particles[0]], x[match.particles[1]], x[match.particles[2]],
-                            hit.point);
+    for (int c = 0; c < 3; ++c) match.particles[c] = static_cast<int>(triangles[hit.element][c]);
+    match.share =
+        shares_of(x[match.particles[0]], x[match.particles[1]], x[match.particles[2]], hit.point);
     match.point = target.points[q];
     match.normal = target.normals[q];
     // Behind the cloth there may be skin; what lies in front of it is cloth.
@@ -87,8 +86,8 @@ void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
     const auto seen = target.edges.find(edge.name);
     if (seen == target.edges.end() || seen->second.curve.size() < 3) continue;
     const double error = std::max(kLeastEdgeError, seen->second.standard_error);
-    const double weight = model.scales().edge_parts / (error * error) /
-                          static_cast<double>(edge.vertices.size());
+    const double weight =
+        model.scales().edge_parts / (error * error) / static_cast<double>(edge.vertices.size());
     for (const int v : edge.vertices) {
       const int p = model.pattern().particle[v];
       const auto [point, along] = nearest_on_curve(seen->second.curve, x[p]);

@@ -21,13 +21,13 @@ struct JointTarget {
 
 /// Which scan counts for which garment.
 struct MatchOptions {
-  double reach = 0.08;       // m, scan further off is something else
+  double reach = 0.08;           // m, scan further off is something else
   double robust = 0.02;          // m, scan this far behind the cloth counts a quarter
   double robust_outside = 0.06;  // m, the same in front of it
-  double uncovered = 0.004;  // m, scan this far beside the cloth draws it along
-  double ridge_share = 0.3;  // of the weight it does so with
-  double unseen = 0.05;      // least share of its weight that a spring keeps when it is too short
-  double min_cosine = 0.4;   // between the normals of scan and garment
+  double uncovered = 0.004;      // m, scan this far beside the cloth draws it along
+  double ridge_share = 1.0;      // of the weight it does so with
+  double unseen = 0.05;     // least share of its weight that a spring keeps when it is too short
+  double min_cosine = 0.4;  // between the normals of scan and garment
 };
 
 /// Joins every point of the target to the nearest point of the garment that faces as it does, and

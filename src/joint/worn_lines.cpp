@@ -11,13 +11,10 @@
 namespace regarment {
 namespace {
 
-constexpr double kStep = 0.012;     // m between points of a line
-constexpr double kOutside = -0.02;  // share of a triangle's height that a line may leave its panel by
+constexpr double kStep = 0.006;  // m between points of a line
+constexpr double kOutside =
+    -0.02;  // share of a triangle's height that a line may leave its panel by
 constexpr double kMostArc = 1.25;
-
-struct SurfacePoint {
-  Vec3 position, normal;
-};
 
 /// One panel of a worn pattern.
 class WornPanel {
@@ -30,9 +27,9 @@ class WornPanel {
   }
 
   /// Where a flat point lies; nothing when it is not on the panel.
-  std::optional<SurfacePoint> at(const Vec2& p) const {
+  std::optional<Vec3> at(const Vec2& p) const {
     double best = kOutside;
-    std::optional<SurfacePoint> out;
+    std::optional<Vec3> out;
     for (const Triangle& t : triangles_) {
       const Vec2 &a = pattern_.flat[t[0]], &b = pattern_.flat[t[1]], &c = pattern_.flat[t[2]];
       const Vec2 u = b - a, v = c - a, w = p - a;
@@ -42,14 +39,9 @@ class WornPanel {
       const Vec3 share(1 - s - r, s, r);
       if (!(share.minCoeff() > best)) continue;
       best = share.minCoeff();
-      out = SurfacePoint{Vec3::Zero(), Vec3::Zero()};
-      for (int k = 0; k < 3; ++k) {
-        out->position += share[k] * positions_[t[k]];
-        out->normal += share[k] * normals_[pattern_.particle[t[k]]];
-      }
+      out = curved(t, share);
       if (best >= 0) break;
     }
-    if (out) out->normal = out->normal.norm() > 0.1 ? out->normal.normalized() : Vec3::Zero();
     return out;
   }
 
@@ -57,20 +49,29 @@ class WornPanel {
   std::optional<double> length(const Vec2& from, const Vec2& to) const {
     const int parts = std::max(2, static_cast<int>(std::lround((to - from).norm() / kStep)));
     double sum = 0;
-    std::optional<SurfacePoint> last;
+    std::optional<Vec3> last;
     for (int i = 0; i <= parts; ++i) {
       const auto here = at(from + static_cast<double>(i) / parts * (to - from));
       if (!here) return std::nullopt;
-      if (last) {
-        const Vec3 chord = here->position - last->position;
-        sum += chord.norm() * arc_over_chord(chord, last->normal, here->normal);
-      }
+      if (last) sum += (*here - *last).norm();
       last = here;
     }
     return sum;
   }
 
  private:
+  /// A point of a triangle, bulged by the normals at its corners [Boubekeur and Alexa 2008, "Phong
+  /// tessellation"]; half of it makes arcs of circles out of chords.
+  Vec3 curved(const Triangle& t, const Vec3& share) const {
+    Vec3 plane = Vec3::Zero(), bulged = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) plane += share[k] * positions_[t[k]];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& normal = normals_[pattern_.particle[t[k]]];
+      bulged += share[k] * (plane - normal.dot(plane - positions_[t[k]]) * normal);
+    }
+    return 0.5 * (plane + bulged);
+  }
+
   const Pattern& pattern_;
   const std::vector<Vec3>&positions_, &normals_;
   std::vector<Triangle> triangles_;

@@ -33,8 +33,7 @@ struct Problem {
   std::vector<Vec3> settled(const Eigen::VectorXd& step) {
     JointModel moved = model;
     Dimensions there = model.dimensions();
-    for (int k = 0; k < 4; ++k)
-      there[model.flat().names[static_cast<std::size_t>(k)]] += step[k];
+    for (int k = 0; k < 4; ++k) there[model.flat().names[static_cast<std::size_t>(k)]] += step[k];
     moved.move_to(there);
     JointSystem system(moved);
     std::vector<Vec3> at = x;
@@ -88,8 +87,7 @@ TEST(JointSystem, AStepLowersTheEnergy) {
       system.step(problem.model, problem.x, std::vector<bool>(4, false), {0.05, 0.05, 0.05});
   std::vector<Vec3> after = problem.x;
   for (std::size_t i = 0; i < after.size(); ++i) after[i] += way.positions[i];
-  EXPECT_LT(problem.model.energy(after, way.dimensions),
-            problem.model.energy(problem.x, none));
+  EXPECT_LT(problem.model.energy(after, way.dimensions), problem.model.energy(problem.x, none));
 }
 
 TEST(JointSystem, NoParticleGoesFurtherThanAllowed) {
