@@ -18,9 +18,6 @@ void join(std::vector<std::vector<int>>& below, int a, int b) {
 std::vector<std::vector<int>> neighbours_below(const JointModel& model) {
   std::vector<std::vector<int>> below(model.pattern().particle_count);
   for (const Spring& s : model.springs()) join(below, s.particle_a, s.particle_b);
-  for (const Hinge& h : model.hinges())
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < a; ++b) join(below, h.particles[a], h.particles[b]);
   for (std::vector<int>& list : below) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -104,12 +101,15 @@ void JointSystem::add_hinges(const JointModel& model, const std::vector<Vec3>& x
     const Hinge& hinge = model.hinges()[h];
     Vec3 curvature = Vec3::Zero();
     for (int c = 0; c < 4; ++c) curvature += hinge.weights[c] * x[hinge.particles[c]];
+    // Bending is bounded from above by its diagonal: it is small beside springs and scan, and
+    // joining the corners opposite to a side would cost several times as much to factor.
+    double all = 0;
+    for (const double weight : hinge.weights) all += std::abs(weight);
     for (int a = 0; a < 4; ++a) {
       const double w = model.hinge_weights()[h] * hinge.weights[a];
       gradient_.segment<3>(3 * hinge.particles[a]) += w * curvature;
-      for (int b = 0; b < 4; ++b)
-        add_block(hinge.particles[a], hinge.particles[b],
-                  w * hinge.weights[b] * Eigen::Matrix3d::Identity());
+      add_block(hinge.particles[a], hinge.particles[a],
+                std::abs(w) * all * Eigen::Matrix3d::Identity());
     }
   }
 }
