@@ -24,6 +24,14 @@ struct Measurement {
   std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
 };
 
+/// What tells of one worn dimension, m. They are found in different ways, so how far they lie apart
+/// says how far each may be off.
+struct WornSources {
+  double fit = 0;            // the dimension that explains the garment on the scan as a whole
+  double line = 0;           // the template's line on the draped garment
+  std::optional<double> scan;  // measured on the scan itself, without the garment
+};
+
 /// Another place where an edge may as well lie.
 struct EdgeRival {
   double height = 0;  // m above the floor, mean over the curve
@@ -50,6 +58,7 @@ struct GarmentAnalysis {
   std::vector<Vec3> placed;  // start of the garment, body frame, one per pattern vertex
   std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
+  std::map<std::string, WornSources> sources;  // by dimension; of the method joint
   std::size_t vertices_labelled = 0;
   double mean_distance = 0.0;        // m, draped garment to the scan, area-weighted mean
   double mean_stretch = 1.0;         // mean of spring length over rest length

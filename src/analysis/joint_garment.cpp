@@ -93,13 +93,16 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.draped = std::move(fit.draped);
   out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
 
-  const auto worn = weigh_estimates(garment, fit, seen.observed);
+  out.sources = worn_sources(garment, fit, seen.observed);
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
-  for (const Dimension& d : garment.dimensions())
-    out.measurements.push_back(measurement_of(d, worn.at(d.name), stretch.at(d.name),
+  for (const Dimension& d : garment.dimensions()) {
+    const WornEstimate worn =
+        weigh(out.sources.at(d.name), dimension_role(garment, out.dimensions, out.pattern, d.name));
+    out.measurements.push_back(measurement_of(d, worn, stretch.at(d.name),
                                               solved.at(d.name).observable, fixed));
+  }
   judge_drape(stage, seen.cloth, out);
   segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), out.pattern, out.draped,
                  layer, cut_options(seen.edges), stage.labels);

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fabric/worn_stretch.h"
+#include "analysis/analysis.h"
+#include "fabric/dimension_role.h"
 #include "joint/joint_fit.h"
 #include "measure/observe.h"
 
@@ -16,12 +17,13 @@ struct WornEstimate {
   double standard_deviation = 0;  // m
 };
 
-/// The worn dimensions from all that tells of them: the dimensions of the joint fit, the template's
-/// lines on its draped cloth, and what was measured on the scan itself; each counts by how far it
-/// was off on people made with known truth (tests/benchmarks/joint_calibration.py), more where the
-/// three disagree.
-std::map<std::string, WornEstimate> weigh_estimates(const GarmentTemplate& garment,
-                                                    const JointFit& fit,
-                                                    const std::vector<ObservedLength>& observed);
+/// All that the joint fit and the scan tell of each worn dimension.
+std::map<std::string, WornSources> worn_sources(const GarmentTemplate& garment, const JointFit& fit,
+                                                const std::vector<ObservedLength>& observed);
+
+/// One estimate from them. By the role of the dimension each source counts as it proved itself on
+/// made people, and the deviation covers what their distances from each other did not
+/// (tests/benchmarks/joint_calibration.py prints the figures).
+WornEstimate weigh(const WornSources& sources, DimensionRole role);
 
 }  // namespace regarment

@@ -44,7 +44,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
       ->required();
   fit->add_option("--out", a.out, "Folder for the result")->required();
   fit->add_flag("--force", a.force, "Replace a folder that is not empty");
-  fit->add_option("--method", a.method, "How to find the dimensions: direct or annealing")
+  fit->add_option("--method", a.method, "How to find the dimensions: joint, direct or annealing")
       ->capture_default_str();
   fit->add_option("--seed", a.seed, "Same seed, same bytes")
       ->check(whole_number)
@@ -81,7 +81,7 @@ CLI::App* add_refit(CLI::App& app, RefitArguments& a) {
   refit->add_option("--out", a.out, "Folder for the result; DIR itself by default");
   refit->add_flag("--force", a.force, "Replace a folder that is not empty, such as DIR");
   refit->add_flag("--forget", a.forget, "Leave out the help that was given for DIR");
-  refit->add_option("--method", a.method, "Another method: direct or annealing");
+  refit->add_option("--method", a.method, "Another method: joint, direct or annealing");
   refit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
       ->check(CLI::Range(1, 256));
   refit->add_flag("!--no-timing", a.timing, "Leave out times and thread count");
@@ -164,11 +164,8 @@ void check_value(const std::string& option, const std::filesystem::path& value) 
 
 void check_method(const std::string& method) {
   if (method == "direct" || method == "annealing" || method == "joint") return;
-  if (method == "joint") {
-    throw UsageError("--method joint does not exist yet; use --method direct or annealing");
-  }
   throw UsageError("--method: '" + one_line(method, 60) +
-                   "' is unknown; use --method direct or annealing");
+                   "' is unknown; use --method joint, direct or annealing");
 }
 
 void check(const FitArguments& a) {

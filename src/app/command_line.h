@@ -35,7 +35,7 @@ struct FitArguments {
   std::filesystem::path scan, out;
   std::vector<std::string> garments;  // template names or files, outermost first, at least one
   bool force = false, timing = true, state = true;
-  std::string method = "direct", units = "auto", up = "auto", front = "auto";
+  std::string method = "joint", units = "auto", up = "auto", front = "auto";
   std::uint64_t seed = 1;
   int threads = 0;  // 0: as many as the machine has
   AnnealingArguments annealing;

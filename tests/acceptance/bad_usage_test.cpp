@@ -106,7 +106,6 @@ const std::vector<BadUsage> kTable = {
      2, "8"},
     {"UnknownOption", fit({"--colour", "red"}), 2, "--colour"},
     {"OptionShortened", fit({"--forc"}), 2, "--forc"},
-    {"MethodJoint", fit({"--method", "joint"}), 2, "does not exist yet"},
     {"MethodUnknown", fit({"--method", "magic"}), 2, "magic"},
     {"MethodTwice", fit({"--method", "direct", "--method", "direct"}), 2, "--method"},
     {"RunsZero", fit({"--method", "annealing", "--runs", "0"}), 2, "--runs"},

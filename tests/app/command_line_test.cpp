@@ -49,7 +49,7 @@ TEST(CommandLine, LeavesTheRestAtItsDefault) {
   const auto fit = std::get<FitArguments>(parse({"fit", "a", "--garment", "g", "--out", "o"}));
   EXPECT_FALSE(fit.force);
   EXPECT_TRUE(fit.timing);
-  EXPECT_EQ(fit.method, "direct");
+  EXPECT_EQ(fit.method, "joint");
   EXPECT_EQ(fit.units, "auto");
   EXPECT_FALSE(fit.placement || fit.ground_truth || fit.ground_truth_labels);
 }
