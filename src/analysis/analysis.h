@@ -12,24 +12,25 @@
 
 namespace regarment {
 
-/// One named dimension of one garment, as found. All lengths in metres.
-struct Measurement {
-  std::string name, code;
-  double flat = 0.0;             // the flat garment, as a tape reads it on a table
-  double low = 0.0, high = 0.0;  // 90 % interval of `flat`
-  std::optional<double> worn;    // the same line as it lies on the body
-  bool fixed = false;            // a person knows it: `flat` is what they said, held exactly
-  bool observable = true;        // false: the scan says nothing, `flat` is a typical value
-  std::optional<double> truth;   // given by the user
-  std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
-};
-
 /// What tells of one worn dimension, m. They are found in different ways, so how far they lie apart
 /// says how far each may be off.
 struct WornSources {
-  double fit = 0;            // the dimension that explains the garment on the scan as a whole
-  double line = 0;           // the template's line on the draped garment
+  double fit = 0;              // the dimension that explains the garment on the scan as a whole
+  double line = 0;             // the template's line on the draped garment
   std::optional<double> scan;  // measured on the scan itself, without the garment
+};
+
+/// One named dimension of one garment, as found. All lengths in metres.
+struct Measurement {
+  std::string name, code;
+  double flat = 0.0;                   // the flat garment, as a tape reads it on a table
+  double low = 0.0, high = 0.0;        // 90 % interval of `flat`
+  std::optional<double> worn;          // the same line as it lies on the body
+  std::optional<WornSources> sources;  // of `worn`, by the method joint
+  bool fixed = false;                  // a person knows it: `flat` is what they said, held exactly
+  bool observable = true;              // false: the scan says nothing, `flat` is a typical value
+  std::optional<double> truth;         // given by the user
+  std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
 };
 
 /// Another place where an edge may as well lie.
@@ -58,7 +59,6 @@ struct GarmentAnalysis {
   std::vector<Vec3> placed;  // start of the garment, body frame, one per pattern vertex
   std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
-  std::map<std::string, WornSources> sources;  // by dimension; of the method joint
   std::size_t vertices_labelled = 0;
   double mean_distance = 0.0;        // m, draped garment to the scan, area-weighted mean
   double mean_stretch = 1.0;         // mean of spring length over rest length

@@ -92,10 +92,11 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   for (std::size_t g = 0; g < templates.size(); ++g) {
     const int layer = static_cast<int>(g) + 1;
     progress.report(stage_name, static_cast<double>(g) / static_cast<double>(templates.size()));
-    analysis.garments.push_back(
-        options.method == Method::Annealing ? anneal_garment(scan, templates[g], layer, stage, progress)
-        : options.method == Method::Joint   ? joint_garment(scan, templates[g], layer, stage, progress)
-                                            : measure_garment(scan, templates[g], layer, stage));
+    analysis.garments.push_back(options.method == Method::Annealing
+                                    ? anneal_garment(scan, templates[g], layer, stage, progress)
+                                : options.method == Method::Joint
+                                    ? joint_garment(scan, templates[g], layer, stage, progress)
+                                    : measure_garment(scan, templates[g], layer, stage));
   }
   for (std::size_t f = 0; f < stage.cap.size(); ++f)
     if (stage.cap[f])

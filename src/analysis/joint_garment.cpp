@@ -19,8 +19,11 @@ constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standar
 // The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
 // better how far they may be off.
 constexpr double kLengthTrust = 0.25;
+// m: what the labels make of an edge's standard error, which is that of its mean, not of each
+// place.
+constexpr double kLeastBorderError = 0.003, kMostBorderError = 0.02;
 
-/// Lengths along the cloth, which keep folds from being taken for length.
+/// What was measured on the scan holds the fit where folds could be taken for more cloth.
 std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed) {
   std::vector<MeasuredLength> out;
   for (const ObservedLength& o : observed)
@@ -66,7 +69,9 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
 
 CutOptions cut_options(const GarmentEdges& edges) {
   CutOptions options;
-  for (const auto& [name, edge] : edges.edges) options.edge_error[name] = edge.found.standard_error;
+  for (const auto& [name, edge] : edges.edges)
+    options.edge_error[name] =
+        std::clamp(edge.found.standard_error, kLeastBorderError, kMostBorderError);
   return options;
 }
 
@@ -93,15 +98,16 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.draped = std::move(fit.draped);
   out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
 
-  out.sources = worn_sources(garment, fit, seen.observed);
+  const auto sources = worn_sources(garment, fit, seen.observed);
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
   for (const Dimension& d : garment.dimensions()) {
-    const WornEstimate worn =
-        weigh(out.sources.at(d.name), dimension_role(garment, out.dimensions, out.pattern, d.name));
-    out.measurements.push_back(measurement_of(d, worn, stretch.at(d.name),
-                                              solved.at(d.name).observable, fixed));
+    const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
+    Measurement m = measurement_of(d, weigh(sources.at(d.name), role), stretch.at(d.name),
+                                   solved.at(d.name).observable, fixed);
+    if (m.observable) m.sources = sources.at(d.name);
+    out.measurements.push_back(std::move(m));
   }
   judge_drape(stage, seen.cloth, out);
   segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), out.pattern, out.draped,

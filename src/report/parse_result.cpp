@@ -35,6 +35,9 @@ ResultMeasurement read_measurement(const Json& j) {
   j.at("observable").get_to(m.observable);
   j.at("fixed").get_to(m.fixed);
   m.worn_cm = optional_number(j, "worn_cm");
+  m.worn_fit_cm = optional_number(j, "worn_fit_cm");
+  m.worn_line_cm = optional_number(j, "worn_line_cm");
+  m.worn_scan_cm = optional_number(j, "worn_scan_cm");
   m.truth_cm = optional_number(j, "truth_cm");
   m.published_cm = optional_number(j, "published_cm");
   m.tol_minus_cm = optional_number(j, "tol_minus_cm");

@@ -55,6 +55,11 @@ ResultMeasurement result_measurement(const Measurement& m, const GarmentTemplate
   out.low_cm = cm(m.low);
   out.high_cm = cm(m.high);
   out.worn_cm = cm(m.worn);
+  if (m.sources) {
+    out.worn_fit_cm = cm(m.sources->fit);
+    out.worn_line_cm = cm(m.sources->line);
+    out.worn_scan_cm = cm(m.sources->scan);
+  }
   out.observable = m.observable;
   out.fixed = m.fixed;
   out.truth_cm = cm(m.truth);

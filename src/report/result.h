@@ -34,6 +34,7 @@ struct ResultMeasurement {
   bool circumference = false;
   double value_cm = 0, low_cm = 0, high_cm = 0;
   std::optional<double> worn_cm;
+  std::optional<double> worn_fit_cm, worn_line_cm, worn_scan_cm;  // what worn_cm was weighed from
   bool observable = true;
   bool fixed = false;  // given by a person and held
   std::optional<double> truth_cm, published_cm, tol_minus_cm, tol_plus_cm;

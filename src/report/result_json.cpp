@@ -73,6 +73,9 @@ Json measurement_json(const ResultMeasurement& m) {
               {"worn_cm", maybe(m.worn_cm)},
               {"observable", m.observable},
               {"fixed", m.fixed}};
+  put(out, "worn_fit_cm", m.worn_fit_cm);
+  put(out, "worn_line_cm", m.worn_line_cm);
+  put(out, "worn_scan_cm", m.worn_scan_cm);
   put(out, "truth_cm", m.truth_cm);
   put(out, "error_cm", m.error_cm());
   put(out, "published_cm", m.published_cm);
