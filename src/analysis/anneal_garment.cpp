@@ -1,34 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/stage.h"
 #include "base/error.h"
 #include "fit/fit_garment.h"
 #include "garment/hold_dimensions.h"
-#include "geometry/parallel.h"
 #include "segmentation/caps.h"
 #include "segmentation/segment_by_distance.h"
 
 namespace regarment {
 namespace {
-
-/// How far each vertex labelled as this garment's lies outside of the draped garment.
-std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment,
-                                const Labels& labels) {
-  const ClosestPoint cloth{std::span(garment.draped), std::span(garment.pattern.triangles)};
-  std::vector<float> out(scan.mesh.positions.size(), std::numeric_limits<float>::quiet_NaN());
-  parallel_for(out.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      if (labels.label[v] != garment.layer) continue;
-      const ClosestHit hit = cloth.closest(scan.mesh.positions[v]);
-      if (!hit.found()) continue;
-      const double outside = (scan.mesh.positions[v] - hit.point).dot(hit.normal);
-      out[v] = static_cast<float>(std::copysign(std::sqrt(hit.squared_distance), outside));
-    }
-  });
-  return out;
-}
 
 /// The garment's open edges, drawn to where they were found on the scan; those that another garment
 /// covers are free.

@@ -109,9 +109,14 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
     if (m.observable) m.sources = sources.at(d.name);
     out.measurements.push_back(std::move(m));
   }
+  // From here on the pattern is the flat garment.
+  for (const Measurement& m : out.measurements) out.dimensions[m.name] = m.flat;
+  out.dimensions = nearest_holding(garment, out.dimensions, fixed);
+  move_pattern(garment, out.dimensions, out.pattern);
   judge_drape(stage, seen.cloth, out);
   segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), out.pattern, out.draped,
                  layer, cut_options(seen.edges), stage.labels);
+  out.deviation = deviation_of(scan, out, stage.labels);
   take(stage, seen.cloth, find_caps(scan, seen.edges), out);
   warn_about(garment, seen.edges, out, stage.warnings);
   return out;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
 #include "garment/springs.h"
+#include "geometry/closest_point.h"
+#include "geometry/parallel.h"
 #include "geometry/point_tree.h"
 #include "measure/garment_region.h"
 
@@ -133,6 +137,22 @@ void judge_drape(const Stage& stage, const std::vector<std::uint8_t>& cloth, Gar
   for (const Spring& s : links)
     stretch += (out.draped[s.vertex_a] - out.draped[s.vertex_b]).norm() / s.rest_length;
   if (!links.empty()) out.mean_stretch = stretch / static_cast<double>(links.size());
+}
+
+std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment,
+                                const Labels& labels) {
+  const ClosestPoint cloth{std::span(garment.draped), std::span(garment.pattern.triangles)};
+  std::vector<float> out(scan.mesh.positions.size(), std::numeric_limits<float>::quiet_NaN());
+  parallel_for(out.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (labels.label[v] != garment.layer) continue;
+      const ClosestHit hit = cloth.closest(scan.mesh.positions[v]);
+      if (!hit.found()) continue;
+      const double outside = (scan.mesh.positions[v] - hit.point).dot(hit.normal);
+      out[v] = static_cast<float>(std::copysign(std::sqrt(hit.squared_distance), outside));
+    }
+  });
+  return out;
 }
 
 void take(Stage& stage, const std::vector<std::uint8_t>& cloth,

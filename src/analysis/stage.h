@@ -64,6 +64,11 @@ std::vector<std::uint8_t> masked_parts(const Scan& scan, const std::vector<std::
 void judge_outlines(const Scan& scan, const std::vector<std::uint8_t>& caps,
                     std::vector<GarmentAnalysis>& garments);
 
+/// How far each vertex labelled as this garment's lies outside of the draped garment, m; NaN for
+/// the others.
+std::vector<float> deviation_of(const Scan& scan, const GarmentAnalysis& garment,
+                                const Labels& labels);
+
 /// Marks the samples as this garment's, its caps as caps, and counts its vertices.
 void take(Stage& stage, const std::vector<std::uint8_t>& cloth,
           const std::vector<std::uint8_t>& caps, GarmentAnalysis& out);
