@@ -4,6 +4,7 @@
 #include "analysis/joint_target.h"
 #include "analysis/stage.h"
 #include "analysis/weigh_estimates.h"
+#include "base/error.h"
 #include "fabric/worn_stretch.h"
 #include "garment/hold_dimensions.h"
 #include "joint/joint_fit.h"
@@ -19,9 +20,13 @@ constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standar
 // The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
 // better how far they may be off.
 constexpr double kLengthTrust = 0.25;
+// Of the cloth seen that lies on the fitted garment: made people have 0.9 and more.
+constexpr double kLeastMatched = 0.5, kWellMatched = 0.8;
 // m: what the labels make of an edge's standard error, which is that of its mean, not of each
 // place.
 constexpr double kLeastBorderError = 0.003, kMostBorderError = 0.02;
+
+std::string share_text(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 /// What was measured on the scan holds the fit where folds could be taken for more cloth.
 std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed) {
@@ -93,6 +98,14 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped,
                            joint_target(stage.samples, seen.cloth, seen.edges),
                            lengths_of(seen.observed), options, progress);
+  if (fit.matched < kLeastMatched)
+    throw NoGarmentError(
+        "no " + garment.name() + " on this scan: only " + share_text(fit.matched) +
+        " of what lies between its edges fits one; ask for the garment that is worn");
+  if (fit.matched < kWellMatched)
+    stage.warnings.push_back(garment.title() + ": only " + share_text(fit.matched) +
+                             " of the cloth seen lies on the fitted garment; it may be a different "
+                             "garment");
   out.dimensions = fit.dimensions;
   out.pattern = std::move(fit.pattern);
   out.draped = std::move(fit.draped);

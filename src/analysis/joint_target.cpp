@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
+#include "geometry/point_tree.h"
 #include "measure/edge_finder.h"
 
 namespace regarment {
 namespace {
 
-constexpr double kCell = 0.008;  // m, scan is averaged over this
-constexpr double kOneWay = 0.3;  // of the area: normals of a cell that cancel further are none
+constexpr double kCell = 0.008;       // m, scan is averaged over this
+constexpr double kStepOver = 0.018;   // m between points of one piece
+constexpr double kEven = 0.3;         // cosine between their normals
+constexpr double kLeastPiece = 0.06;  // of all cloth: a smaller piece is something else
+constexpr double kOneWay = 0.3;       // of the area: normals of a cell that cancel further are none
 
 void average_cloth(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
                    JointTarget& target) {
@@ -42,12 +47,48 @@ void average_cloth(const SurfaceSamples& samples, const std::vector<std::uint8_t
   }
 }
 
+/// Leaves out small pieces that no even surface joins to the rest: legs seen under a hem.
+void drop_small_pieces(JointTarget& target) {
+  const std::size_t n = target.points.size();
+  if (n == 0) return;
+  const PointTree tree(target.points);
+  std::vector<std::size_t> piece(n, n), todo;
+  std::vector<double> area;
+  std::vector<PointNeighbour> near;
+  for (std::size_t first = 0; first < n; ++first) {
+    if (piece[first] < n) continue;
+    area.push_back(0);
+    piece[first] = area.size() - 1;
+    for (todo = {first}; !todo.empty();) {
+      const std::size_t i = todo.back();
+      todo.pop_back();
+      area.back() += target.areas[i];
+      tree.within(target.points[i], kStepOver, near);
+      for (const PointNeighbour& other : near) {
+        const std::size_t j = other.index;
+        if (piece[j] < n || target.normals[i].dot(target.normals[j]) < kEven) continue;
+        piece[j] = piece[i];
+        todo.push_back(j);
+      }
+    }
+  }
+  const double least = kLeastPiece * std::accumulate(area.begin(), area.end(), 0.0);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (area[piece[i]] < least) continue;
+    target.points[kept] = target.points[i], target.normals[kept] = target.normals[i];
+    target.areas[kept++] = target.areas[i];
+  }
+  target.points.resize(kept), target.normals.resize(kept), target.areas.resize(kept);
+}
+
 }  // namespace
 
 JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
                          const GarmentEdges& edges) {
   JointTarget target;
   average_cloth(samples, cloth, target);
+  drop_small_pieces(target);
   for (const auto& [name, edge] : edges.edges) {
     if (edge.covered) continue;
     const LimbView& view = edges.limbs.at(edge.limb);

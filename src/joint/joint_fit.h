@@ -40,15 +40,17 @@ struct JointFit {
   double matched = 0;                  // share of the target's area that lies on the garment, 0..1
 };
 
+/// A length of the worn garment that was measured before.
+struct MeasuredLength {
+  std::string formula;            // over the template's dimensions
+  double value = 0;               // m
+  double standard_deviation = 0;  // m, > 0
+};
+
 /// Fits particles and dimensions of a garment to a scan at once, coarse to fine. `start`:
 /// dimensions that make a garment; `pattern` and `placed`: the garment at `start`, one position per
-/// pattern vertex, at any edge length. `lengths`: measured before, may be empty; their slopes and
-/// values at the model are filled in here by `formulas` (one per length). Throws Stopped when
-/// progress says so.
-struct MeasuredLength {
-  std::string formula;                       // over the template's dimensions
-  double value = 0, standard_deviation = 0;  // m
-};
+/// pattern vertex, at any edge length. `lengths` may be empty. Throws InvalidInput for sizes that
+/// do not match and options out of range, Stopped when progress says so.
 JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, const Pattern& pattern,
                    const std::vector<Vec3>& placed, const JointTarget& target,
                    const std::vector<MeasuredLength>& lengths, const JointOptions& options,

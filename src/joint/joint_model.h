@@ -55,7 +55,7 @@ struct JointScales {
 ///               + 1/2 sum_m w_m (n_m . (x(m) - p_m))^2                scan on the garment
 ///               + 1/2 sum_e w_e (c_e . (x_e - q_e))^2                 edges seen
 ///               + 1/2 sum_o ((f_o(theta) - value_o) / sd_o)^2         lengths measured
-///               + 1/2 sum_k ((theta_k - start_k) / spread_k)^2        prior, wide
+///               + 1/2 sum_k ((theta_k - typical_k) / spread_k)^2      prior, wide
 ///
 /// Rest lengths are linear in theta about the dimensions the model stands at (exactly so for most
 /// of a pattern); `move_to` stands it elsewhere.
@@ -72,7 +72,7 @@ class JointModel {
   const Dimensions& dimensions() const { return dimensions_; }
   const JointScales& scales() const { return scales_; }
   const std::vector<Spring>& springs() const { return springs_; }
-  /// 1/m^2, what is slack included.
+  /// 1/m^2, with what `slack` leaves of it.
   double spring_weight(std::size_t s) const {
     return spring_weights_[s] * (slack.empty() ? 1.0 : slack[s]);
   }
