@@ -11,6 +11,9 @@ namespace {
 
 using Index = Eigen::Index;
 
+/// First of a particle's three rows.
+constexpr Index row_of(int particle) { return 3 * static_cast<Index>(particle); }
+
 void join(std::vector<std::vector<int>>& below, int a, int b) {
   if (a != b) below[std::min(a, b)].push_back(std::max(a, b));
 }
@@ -35,7 +38,7 @@ Eigen::SparseMatrix<double> empty_matrix(const std::vector<std::vector<int>>& be
       for (const int i : below[j])
         for (int a = 0; a < 3; ++a) entries.emplace_back(3 * i + a, 3 * j + b, 0.0);
     }
-  Eigen::SparseMatrix<double> matrix(3 * n, 3 * n);
+  Eigen::SparseMatrix<double> matrix(row_of(n), row_of(n));
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -61,7 +64,7 @@ void JointSystem::add_block(int i, int j, const Eigen::Matrix3d& block) {
   const std::vector<int>& list = below_[j];
   const auto at = static_cast<int>(std::lower_bound(list.begin(), list.end(), i) - list.begin());
   for (int b = 0; b < 3; ++b) {
-    double* column = values + starts[3 * j + b] + (3 - b) + 3 * at;
+    double* column = values + starts[3 * j + b] + (3 - b) + row_of(at);
     for (int a = 0; a < 3; ++a) column[a] += block(a, b);
   }
 }
@@ -83,13 +86,13 @@ void JointSystem::add_springs(const JointModel& model, const std::vector<Vec3>& 
     add_block(spring.particle_b, spring.particle_b, block);
     add_block(spring.particle_b, spring.particle_a, -block);
     const Vec3 force = w * (length - rest) * along;
-    gradient_.segment<3>(3 * spring.particle_a) -= force;
-    gradient_.segment<3>(3 * spring.particle_b) += force;
+    gradient_.segment<3>(row_of(spring.particle_a)) -= force;
+    gradient_.segment<3>(row_of(spring.particle_b)) += force;
     for (std::size_t k = 0; k < n; ++k) {
       const double slope = model.slopes()[s * n + k] / arc;
       const auto column = static_cast<Index>(k);
-      mixed_.col(column).segment<3>(3 * spring.particle_a) += w * slope * along;
-      mixed_.col(column).segment<3>(3 * spring.particle_b) -= w * slope * along;
+      mixed_.col(column).segment<3>(row_of(spring.particle_a)) += w * slope * along;
+      mixed_.col(column).segment<3>(row_of(spring.particle_b)) -= w * slope * along;
       for (std::size_t m = 0; m <= k; ++m)
         own_(column, static_cast<Index>(m)) += w * slope * model.slopes()[s * n + m] / arc;
     }
@@ -107,7 +110,7 @@ void JointSystem::add_hinges(const JointModel& model, const std::vector<Vec3>& x
     for (const double weight : hinge.weights) all += std::abs(weight);
     for (int a = 0; a < 4; ++a) {
       const double w = model.hinge_weights()[h] * hinge.weights[a];
-      gradient_.segment<3>(3 * hinge.particles[a]) += w * curvature;
+      gradient_.segment<3>(row_of(hinge.particles[a])) += w * curvature;
       add_block(hinge.particles[a], hinge.particles[a],
                 std::abs(w) * all * Eigen::Matrix3d::Identity());
     }
@@ -121,14 +124,14 @@ void JointSystem::add_matches(const JointModel& model, const std::vector<Vec3>& 
     const double off = m.normal.dot(at);
     const Eigen::Matrix3d block = m.weight * m.normal * m.normal.transpose();
     for (int a = 0; a < 3; ++a) {
-      gradient_.segment<3>(3 * m.particles[a]) += m.weight * m.share[a] * off * m.normal;
+      gradient_.segment<3>(row_of(m.particles[a])) += m.weight * m.share[a] * off * m.normal;
       for (int b = 0; b < 3; ++b)
         add_block(m.particles[a], m.particles[b], m.share[a] * m.share[b] * block);
     }
   }
   for (const EdgeMatch& e : model.edges) {
     const double off = e.across.dot(x[e.particle] - e.point);
-    gradient_.segment<3>(3 * e.particle) += e.weight * off * e.across;
+    gradient_.segment<3>(row_of(e.particle)) += e.weight * off * e.across;
     add_block(e.particle, e.particle, e.weight * e.across * e.across.transpose());
   }
 }
@@ -143,8 +146,8 @@ void JointSystem::assemble(const JointModel& model, const std::vector<Vec3>& x,
                            double position_weight) {
   const auto n = static_cast<Index>(model.dimension_count());
   std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
-  gradient_.setZero(3 * particles_);
-  mixed_.setZero(3 * particles_, n);
+  gradient_.setZero(row_of(particles_));
+  mixed_.setZero(row_of(particles_), n);
   own_.setZero(n, n);
   add_springs(model, x);
   own_.triangularView<Eigen::StrictlyUpper>() = own_.transpose();
@@ -183,7 +186,7 @@ JointStep JointSystem::step(const JointModel& model, const std::vector<Vec3>& x,
   const Eigen::VectorXd way = -solved_gradient_ - solved_ * out.dimensions;
   double longest = 0;
   for (int i = 0; i < particles_; ++i) {
-    out.positions.emplace_back(way.segment<3>(3 * i));
+    out.positions.emplace_back(way.segment<3>(row_of(i)));
     longest = std::max(longest, out.positions.back().norm());
   }
   if (!(longest > limits.longest)) return out;
