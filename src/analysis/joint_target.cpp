@@ -14,7 +14,8 @@ namespace {
 constexpr double kCell = 0.008;       // m, scan is averaged over this
 constexpr double kStepOver = 0.018;   // m between points of one piece
 constexpr double kEven = 0.3;         // cosine between their normals
-constexpr double kLeastPiece = 0.06;  // of all cloth: a smaller piece is something else
+constexpr double kLeastPiece = 0.06;  // of all cloth: a smaller piece may be a leg
+constexpr double kGoesOn = 0.08;      // of a piece, where the person goes on from it: a leg
 constexpr double kOneWay = 0.3;       // of the area: normals of a cell that cancel further are none
 
 void average_cloth(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
@@ -47,22 +48,35 @@ void average_cloth(const SurfaceSamples& samples, const std::vector<std::uint8_t
   }
 }
 
-/// Leaves out small pieces that no even surface joins to the rest: legs seen under a hem.
-void drop_small_pieces(JointTarget& target) {
+/// Does what lies outside of the garment go on evenly from a point on it?
+bool goes_on(const PointTree& outside, const std::vector<Vec3>& outside_normals, const Vec3& point,
+             const Vec3& normal, std::vector<PointNeighbour>& near) {
+  outside.within(point, kStepOver, near);
+  return std::any_of(near.begin(), near.end(), [&](const PointNeighbour& other) {
+    return outside_normals[other.index].dot(normal) >= kEven;
+  });
+}
+
+/// Leaves out legs seen under a hem: small pieces that no even surface joins to the rest, and that
+/// go on in `person`, which is not the garment's. The inner sheets of folds end at the hem.
+void drop_legs(const JointTarget& person, JointTarget& target) {
   const std::size_t n = target.points.size();
   if (n == 0) return;
   const PointTree tree(target.points);
   std::vector<std::size_t> piece(n, n), todo;
-  std::vector<double> area;
+  std::vector<double> area, beyond;  // per piece, m^2: all of it, and where the person goes on
   std::vector<PointNeighbour> near;
+  const PointTree outside(person.points);
   for (std::size_t first = 0; first < n; ++first) {
     if (piece[first] < n) continue;
-    area.push_back(0);
+    area.push_back(0), beyond.push_back(0);
     piece[first] = area.size() - 1;
     for (todo = {first}; !todo.empty();) {
       const std::size_t i = todo.back();
       todo.pop_back();
       area.back() += target.areas[i];
+      if (goes_on(outside, person.normals, target.points[i], target.normals[i], near))
+        beyond.back() += target.areas[i];
       tree.within(target.points[i], kStepOver, near);
       for (const PointNeighbour& other : near) {
         const std::size_t j = other.index;
@@ -75,7 +89,7 @@ void drop_small_pieces(JointTarget& target) {
   const double least = kLeastPiece * std::accumulate(area.begin(), area.end(), 0.0);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (area[piece[i]] < least) continue;
+    if (area[piece[i]] < least && beyond[piece[i]] > kGoesOn * area[piece[i]]) continue;
     target.points[kept] = target.points[i], target.normals[kept] = target.normals[i];
     target.areas[kept++] = target.areas[i];
   }
@@ -88,7 +102,11 @@ JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::u
                          const GarmentEdges& edges) {
   JointTarget target;
   average_cloth(samples, cloth, target);
-  drop_small_pieces(target);
+  std::vector<std::uint8_t> other(cloth.size());
+  for (std::size_t s = 0; s < cloth.size(); ++s) other[s] = cloth[s] == 0 ? 1 : 0;
+  JointTarget person;
+  average_cloth(samples, other, person);
+  drop_legs(person, target);
   for (const auto& [name, edge] : edges.edges) {
     if (edge.covered) continue;
     const LimbView& view = edges.limbs.at(edge.limb);

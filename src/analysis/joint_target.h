@@ -11,7 +11,7 @@ namespace regarment {
 
 /// What the joint fit of a garment looks at: the cloth marked in `cloth` (one per sample), averaged
 /// over cells of 8 mm so that noise falls and points are evenly spread (cloth that faces different
-/// ways in one cell is kept apart; small pieces beside the rest are left out), and the edges found
+/// ways in one cell is kept apart; legs under a hem are left out), and the edges found
 /// that nothing covers.
 JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
                          const GarmentEdges& edges);

@@ -104,15 +104,17 @@ void JointSystem::add_hinges(const JointModel& model, const std::vector<Vec3>& x
     const Hinge& hinge = model.hinges()[h];
     Vec3 curvature = Vec3::Zero();
     for (int c = 0; c < 4; ++c) curvature += hinge.weights[c] * x[hinge.particles[c]];
-    // Bending is bounded from above by its diagonal: it is small beside springs and scan, and
-    // joining the corners opposite to a side would cost several times as much to factor.
-    double all = 0;
-    for (const double weight : hinge.weights) all += std::abs(weight);
     for (int a = 0; a < 4; ++a) {
       const double w = model.hinge_weights()[h] * hinge.weights[a];
       gradient_.segment<3>(row_of(hinge.particles[a])) += w * curvature;
-      add_block(hinge.particles[a], hinge.particles[a],
-                std::abs(w) * all * Eigen::Matrix3d::Identity());
+      for (int b = 0; b < 4; ++b) {
+        // The corners opposite to the side are joined by no spring; joining them here would cost
+        // several times as much to factor. 2 x0 x1 <= x0^2 + x1^2 takes their term's place, with
+        // nothing in the way of moves that both make.
+        const bool opposite = a + b == 1;
+        add_block(hinge.particles[a], hinge.particles[opposite ? a : b],
+                  w * hinge.weights[b] * Eigen::Matrix3d::Identity());
+      }
     }
   }
 }
