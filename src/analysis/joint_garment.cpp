@@ -20,7 +20,8 @@ constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standar
 // The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
 // better how far they may be off.
 constexpr double kLengthTrust = 0.25;
-// Of the cloth seen that lies on the fitted garment: made people have 0.9 and more.
+// Of the cloth seen that lies on the fitted garment. Set by judgement: below, the report would show
+// a garment beside the cloth.
 constexpr double kLeastMatched = 0.5, kWellMatched = 0.8;
 // m: what the labels make of an edge's standard error, which is that of its mean, not of each
 // place.

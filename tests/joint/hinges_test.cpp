@@ -7,12 +7,6 @@
 namespace regarment {
 namespace {
 
-std::vector<Vec3> particles_of(const Pattern& pattern, const std::vector<Vec3>& vertices) {
-  std::vector<Vec3> x(pattern.particle_count);
-  for (std::size_t v = 0; v < vertices.size(); ++v) x[pattern.particle[v]] = vertices[v];
-  return x;
-}
-
 Vec3 curvature_of(const Hinge& hinge, const std::vector<Vec3>& x) {
   Vec3 sum = Vec3::Zero();
   for (int c = 0; c < 4; ++c) sum += hinge.weights[c] * x[hinge.particles[c]];

@@ -8,12 +8,6 @@
 namespace regarment {
 namespace {
 
-std::vector<Vec3> particles_of(const Pattern& pattern, const std::vector<Vec3>& vertices) {
-  std::vector<Vec3> x(pattern.particle_count);
-  for (std::size_t v = 0; v < vertices.size(); ++v) x[pattern.particle[v]] = vertices[v];
-  return x;
-}
-
 /// A skirt on a tube that is wider, tapers and has folds, so that everything pulls.
 struct Problem {
   JointModel model{find_template("skirt"), tube_dimensions(1.0, 0.5), 0.06, JointScales{}};

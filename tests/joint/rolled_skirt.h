@@ -27,6 +27,13 @@ inline std::vector<Vec3> rolled(const Pattern& pattern, double girth, double rad
   return out;
 }
 
+/// One position per particle, from one per pattern vertex.
+inline std::vector<Vec3> particles_of(const Pattern& pattern, const std::vector<Vec3>& vertices) {
+  std::vector<Vec3> x(pattern.particle_count);
+  for (std::size_t v = 0; v < vertices.size(); ++v) x[pattern.particle[v]] = vertices[v];
+  return x;
+}
+
 /// A tube as a scan sees it: points every centimetre, and both edges.
 inline JointTarget tube_target(double girth, double length) {
   JointTarget target;
