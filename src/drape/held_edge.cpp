@@ -1,30 +1,9 @@
 #include "drape/held_edge.h"
 
-#include <algorithm>
-
 #include "base/error.h"
+#include "geometry/closed_curve.h"
 
 namespace regarment {
-namespace {
-
-Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 along = b - a;
-  const double length = along.squaredNorm();
-  if (!(length > 0)) return a;
-  return a + std::clamp((p - a).dot(along) / length, 0.0, 1.0) * along;
-}
-
-}  // namespace
-
-Vec3 closest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
-  Vec3 best = curve.front();
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const Vec3 q = closest_on_segment(curve[i], curve[(i + 1) % curve.size()], p);
-    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
-  }
-  return best;
-}
-
 void hold(const std::vector<HeldEdge>& edges, const Cloth& cloth,
           std::vector<Attraction>& attraction) {
   for (const HeldEdge& edge : edges) {
@@ -36,7 +15,7 @@ void hold(const std::vector<HeldEdge>& edges, const Cloth& cloth,
       Attraction& a = attraction[static_cast<std::size_t>(i)];
       const Vec3& p = cloth.positions[static_cast<std::size_t>(i)];
       a = {};
-      a.target = closest_on_curve(edge.curve, p);
+      a.target = closest_on_curve(edge.curve, p).point;
       a.distance = (a.target - p).norm();
       a.found = a.pulls = true;
     }

@@ -13,9 +13,6 @@ struct HeldEdge {
   std::vector<Vec3> curve;     // closed, first not repeated, at least 3 points, body frame, m
 };
 
-/// Closest point of a closed curve of at least one point.
-Vec3 closest_on_curve(const std::vector<Vec3>& curve, const Vec3& p);
-
 /// Draws the particles of the edges to their curves: replaces their entries of `attraction`. A
 /// departure from the paper, whose authors placed a garment by hand and found its upper edge
 /// "almost impossible" to tell from the scan (sec. 4). Throws InvalidInput when an edge names a

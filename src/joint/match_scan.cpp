@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/closed_curve.h"
 #include "geometry/closest_point.h"
 #include "joint/worn_lines.h"
 
@@ -66,20 +67,6 @@ void match_surface(const JointTarget& target, const std::vector<Triangle>& trian
   }
 }
 
-/// Nearest point of a closed curve and its direction there.
-std::pair<Vec3, Vec3> nearest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
-  Vec3 best = curve[0], along = Vec3::Zero();
-  double least = 1e18;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const Vec3 &a = curve[i], d = curve[(i + 1) % curve.size()] - a;
-    const double t = std::clamp((p - a).dot(d) / std::max(1e-18, d.squaredNorm()), 0.0, 1.0);
-    const Vec3 q = a + t * d;
-    if ((q - p).squaredNorm() >= least) continue;
-    least = (q - p).squaredNorm(), best = q, along = d;
-  }
-  return {best, along};
-}
-
 void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
                  const std::vector<Vec3>& x, JointModel& model) {
   for (const PatternEdge& edge : model.pattern().edges) {
@@ -90,7 +77,7 @@ void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
         model.scales().edge_parts / (error * error) / static_cast<double>(edge.vertices.size());
     for (const int v : edge.vertices) {
       const int p = model.pattern().particle[v];
-      const auto [point, along] = nearest_on_curve(seen->second.curve, x[p]);
+      const auto [point, along] = closest_on_curve(seen->second.curve, x[p]);
       const Vec3 across = along.cross(normals[p]);
       if (!(across.norm() > 1e-12)) continue;
       model.edges.push_back({p, point, across.normalized(), weight});

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "garment/springs.h"
+#include "geometry/closed_curve.h"
 
 namespace regarment {
 namespace {
@@ -72,19 +73,6 @@ void pull_to_scan(const PointTree& tree, const Cloth& cloth, const std::vector<V
   }
 }
 
-/// Nearest point of a closed polyline.
-Vec3 nearest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
-  Vec3 best = curve[0];
-  double least = 1e18;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const Vec3 &a = curve[i], b = curve[(i + 1) % curve.size()], d = b - a;
-    const double t = std::clamp((p - a).dot(d) / std::max(1e-18, d.squaredNorm()), 0.0, 1.0);
-    const Vec3 q = a + t * d;
-    if ((q - p).squaredNorm() < least) least = (q - p).squaredNorm(), best = q;
-  }
-  return best;
-}
-
 }  // namespace
 
 void LayOptions::check() const {
@@ -113,7 +101,7 @@ std::vector<Vec3> lay_on_scan(const Pattern& pattern, const std::vector<Vec3>& p
       if (curve == edge_curves.end()) continue;
       for (int v : edge.vertices) {
         Vec3& p = x[pattern.particle[v]];
-        p += kEdgePull * (nearest_on_curve(curve->second, p) - p);
+        p += kEdgePull * (closest_on_curve(curve->second, p).point - p);
       }
     }
     for (int sweep = 0; sweep < kSweeps; ++sweep) {

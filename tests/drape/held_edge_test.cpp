@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "cloths.h"
 #include "drape/drape.h"
+#include "geometry/closed_curve.h"
 #include "surfaces.h"
 
 namespace regarment {
@@ -16,12 +17,12 @@ const std::vector<Vec3> kFrame = {Vec3(-1, 0, -4), Vec3(1, 0, -4), Vec3(1, 0, 4)
 
 TEST(ClosestOnCurve, FindsSidesCornersAndTheClosingSide) {
   const auto expect = [](const Vec3& p, const Vec3& closest) {
-    EXPECT_LT((closest_on_curve(kFrame, p) - closest).norm(), 1e-12);
+    EXPECT_LT((closest_on_curve(kFrame, p).point - closest).norm(), 1e-12);
   };
   expect(Vec3(0.3, 2, -6), Vec3(0.3, 0, -4));
   expect(Vec3(2, 0, 5), Vec3(1, 0, 4));
   expect(Vec3(-0.9, 0, 0.25), Vec3(-1, 0, 0.25));  // from the last point to the first
-  EXPECT_EQ(closest_on_curve({Vec3(1, 2, 3)}, Vec3::Zero()), Vec3(1, 2, 3));
+  EXPECT_EQ(closest_on_curve({Vec3(1, 2, 3)}, Vec3::Zero()).point, Vec3(1, 2, 3));
 }
 
 TEST(ClosestOnCurve, AgreesWithSamplesOfACurve) {
@@ -39,7 +40,7 @@ TEST(ClosestOnCurve, AgreesWithSamplesOfACurve) {
     for (int k = 0; k < kPieces; ++k) samples.push_back(curve[i] + k * along / kPieces);
   }
   for (int query = 0; query < 200; ++query) {
-    const Vec3 p = anywhere(1), found = closest_on_curve(curve, p);
+    const Vec3 p = anywhere(1), found = closest_on_curve(curve, p).point;
     double nearest = 1e9, beside = 1e9;
     for (const Vec3& sample : samples) {
       nearest = std::min(nearest, (sample - p).norm());
