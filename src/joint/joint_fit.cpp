@@ -56,8 +56,6 @@ void judge(const JointModel& model, const JointTarget& target, const std::vector
   }
   out.surface_error = weight > 0 ? std::sqrt(sum / weight) : 0;
   out.matched = all > 0 ? on / all : 0;
-  out.energy =
-      model.energy(x, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dimension_count())));
 }
 
 }  // namespace
@@ -120,7 +118,6 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
     if (l + 1 < options.levels.size()) continue;
     match_scan(target, x, match, model);
     model.lengths = evidence_of(garment, at, lengths);
-    out.covariance = system.covariance(model, x, held);
     judge(model, target, x, out);
   }
   out.dimensions = at;

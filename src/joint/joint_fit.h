@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,10 +30,8 @@ struct JointOptions {
 /// What the joint fit found.
 struct JointFit {
   Dimensions dimensions;               // m, of the worn garment: its lengths as they are seen
-  Eigen::MatrixXd covariance;          // m^2, in the template's order; held dimensions have none
   Pattern pattern;                     // at `dimensions`, finest level
   std::vector<Vec3> draped;            // per pattern vertex, body frame, m
-  double energy = 0;                   // at the end, finest level
   double surface_error = 0;            // m, root mean square of scan off the garment, weighted
   std::map<std::string, double> worn;  // m, the measured lines as they lie on the body
   double matched = 0;                  // share of the target's area that lies on the garment, 0..1

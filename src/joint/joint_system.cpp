@@ -199,21 +199,4 @@ JointStep JointSystem::step(const JointModel& model, const std::vector<Vec3>& x,
   return out;
 }
 
-Eigen::MatrixXd JointSystem::covariance(const JointModel& model, const std::vector<Vec3>& x,
-                                        const std::vector<bool>& held) {
-  constexpr double kLoose = 1.0;  // 1/m^2: what nothing holds may be anywhere within a metre
-  assemble(model, x, kLoose);
-  eliminate();
-  for (Index k = 0; k < schur_.rows(); ++k) {
-    if (!held[static_cast<std::size_t>(k)]) continue;
-    schur_.row(k).setZero(), schur_.col(k).setZero();
-    schur_(k, k) = 1;
-  }
-  Eigen::MatrixXd covariance =
-      schur_.ldlt().solve(Eigen::MatrixXd::Identity(schur_.rows(), schur_.cols()));
-  for (Index k = 0; k < schur_.rows(); ++k)
-    if (held[static_cast<std::size_t>(k)]) covariance.row(k).setZero(), covariance.col(k).setZero();
-  return covariance;
-}
-
 }  // namespace regarment

@@ -34,11 +34,6 @@ class JointSystem {
   JointStep step(const JointModel& model, const std::vector<Vec3>& x, const std::vector<bool>& held,
                  const StepLimits& limits);
 
-  /// Covariance of the dimensions (m^2) at `x`, the particles eliminated: inverse of the Schur
-  /// complement. Held dimensions have none.
-  Eigen::MatrixXd covariance(const JointModel& model, const std::vector<Vec3>& x,
-                             const std::vector<bool>& held);
-
  private:
   using Matrix = Eigen::SparseMatrix<double>;
 

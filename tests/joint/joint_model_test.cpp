@@ -95,7 +95,7 @@ TEST(JointSystem, NoParticleGoesFurtherThanAllowed) {
   EXPECT_NEAR(longest, 0.001, 1e-12);
 }
 
-TEST(JointSystem, HeldDimensionsStayAndHaveNoVariance) {
+TEST(JointSystem, HeldDimensionsStay) {
   Problem problem;
   JointSystem system(problem.model);
   const std::vector<bool> held = {false, true, false, true};
@@ -103,10 +103,6 @@ TEST(JointSystem, HeldDimensionsStayAndHaveNoVariance) {
   EXPECT_EQ(way.dimensions[1], 0);
   EXPECT_EQ(way.dimensions[3], 0);
   EXPECT_NE(way.dimensions[0], 0);
-  const Eigen::MatrixXd covariance = system.covariance(problem.model, problem.x, held);
-  EXPECT_EQ(covariance(1, 1), 0);
-  EXPECT_GT(covariance(0, 0), 0);
-  EXPECT_NEAR((covariance - covariance.transpose()).norm(), 0, 1e-12);
 }
 
 }  // namespace
