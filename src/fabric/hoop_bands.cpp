@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "fabric/drawn_line.h"
 #include "fabric/level_section.h"
+#include "garment/drawn_line.h"
 #include "garment/plane.h"
 
 namespace regarment {

@@ -12,6 +12,14 @@ inline double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+/// Barycentric coordinates of `p` in the triangle a b c; one is below 0 when it lies outside. Not
+/// finite for a triangle without area.
+inline Vec3 barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  const double area = twice_area(a, b, c);
+  const double of_b = twice_area(a, p, c) / area, of_c = twice_area(a, b, p) / area;
+  return {1 - of_b - of_c, of_b, of_c};
+}
+
 /// Signed area of a closed polygon, first point not repeated.
 double polygon_area(const std::vector<Vec2>& polygon);
 

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "garment/plane.h"
+
 namespace regarment {
-namespace {
-
-Vec3 shares_in(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const Vec2 u = b - a, v = c - a, w = p - a;
-  const double area = u.x() * v.y() - u.y() * v.x();
-  const double s = (w.x() * v.y() - w.y() * v.x()) / area;
-  const double t = (u.x() * w.y() - u.y() * w.x()) / area;
-  return {1 - s - t, s, t};
-}
-
-}  // namespace
-
 std::vector<Vec3> refine(const Pattern& coarse, const std::vector<Vec3>& x, const Pattern& fine) {
   std::vector<Vec3> sum(fine.particle_count, Vec3::Zero());
   std::vector<double> count(fine.particle_count, 0.0);
@@ -24,7 +14,7 @@ std::vector<Vec3> refine(const Pattern& coarse, const std::vector<Vec3>& x, cons
     for (const Triangle& t : coarse.triangles) {
       if (coarse.panel[t[0]] != fine.panel[v]) continue;
       const Vec3 share =
-          shares_in(coarse.flat[t[0]], coarse.flat[t[1]], coarse.flat[t[2]], fine.flat[v]);
+          barycentric(coarse.flat[t[0]], coarse.flat[t[1]], coarse.flat[t[2]], fine.flat[v]);
       if (!(share.minCoeff() > best)) continue;
       best = share.minCoeff();
       at = Vec3::Zero();

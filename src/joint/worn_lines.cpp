@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "garment/drawn_line.h"
+#include "garment/plane.h"
 #include "garment/template_data.h"
 
 namespace regarment {
@@ -31,12 +33,8 @@ class WornPanel {
     double best = kOutside;
     std::optional<Vec3> out;
     for (const Triangle& t : triangles_) {
-      const Vec2 &a = pattern_.flat[t[0]], &b = pattern_.flat[t[1]], &c = pattern_.flat[t[2]];
-      const Vec2 u = b - a, v = c - a, w = p - a;
-      const double area = u.x() * v.y() - u.y() * v.x();
-      const double s = (w.x() * v.y() - w.y() * v.x()) / area;
-      const double r = (u.x() * w.y() - u.y() * w.x()) / area;
-      const Vec3 share(1 - s - r, s, r);
+      const Vec3 share =
+          barycentric(pattern_.flat[t[0]], pattern_.flat[t[1]], pattern_.flat[t[2]], p);
       if (!(share.minCoeff() > best)) continue;
       best = share.minCoeff();
       out = curved(t, share);
@@ -114,17 +112,13 @@ std::map<std::string, double> worn_lines(const GarmentTemplate& garment,
   std::vector<WornPanel> panels;
   for (std::size_t p = 0; p < pattern.panel_names.size(); ++p)
     panels.emplace_back(pattern, positions, normals, static_cast<int>(p));
-  const NameScope scope(garment.data(), dimensions);
   std::map<std::string, double> out;
   for (const MeasureArrow& arrow : garment.data().arrows) {
-    const Vec2 from = scope.metres(arrow.from), to = scope.metres(arrow.to);
     double sum = 0, count = 0;
-    for (const WornPanel& panel : panels)
-      for (const double side : {1.0, -1.0}) {
-        const Vec2 turned(side, 1);
-        const auto length = panel.length(from.cwiseProduct(turned), to.cwiseProduct(turned));
-        if (length) sum += *length, count += 1;
-      }
+    for (const DrawnLine& line : drawn_lines(garment, dimensions, pattern, arrow.dimension)) {
+      const auto length = panels[static_cast<std::size_t>(line.panel)].length(line.from, line.to);
+      if (length) sum += *length, count += 1;
+    }
     if (count > 0) out[arrow.dimension] = sum / count / arrow.share;
   }
   return out;

@@ -1,4 +1,4 @@
-#include "fabric/drawn_line.h"
+#include "garment/drawn_line.h"
 
 #include <algorithm>
 
