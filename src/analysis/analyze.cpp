@@ -34,6 +34,9 @@ void AnalyzeOptions::check() const {
     throw InvalidInput("AnalyzeOptions: pattern_edge_length must lie between 0.005 and 0.2 m");
   if (!(segment_distance > 0 && segment_distance <= 1))
     throw InvalidInput("AnalyzeOptions: segment_distance must lie between 0 and 1 m");
+  if (!(layer_attenuation >= 0 && layer_attenuation <= 1))
+    throw InvalidInput("AnalyzeOptions: layer_attenuation must lie between 0 and 1, not " +
+                       std::to_string(layer_attenuation));
   fit.check();
   if (!(sample_spacing >= 0.001 && sample_spacing <= 0.05))
     throw InvalidInput("AnalyzeOptions: sample_spacing must lie between 0.001 and 0.05 m");

@@ -35,6 +35,10 @@ struct AnalyzeOptions {
   bool hold_edges = true;
   // Surface invented under a hem is found and left out of the fit; false: it attracts (Fig. 5).
   bool cap_detection = true;
+  // How strongly scan that an outer garment was found on attracts the next one by
+  // Method::Annealing, 0..1 [sec. 3.6]: it supports what it hides. Larger draws hidden cloth nearer
+  // to the outer garment; 0: nothing holds it. Method::Joint bounds it inside instead.
+  double layer_attenuation = 0.1;
   // What a person said about landmarks and edges. An edge may be named "skirt.waist", by template,
   // where the plain name would mean several garments; this counts more than the plain one.
   PlacementOverrides placement;

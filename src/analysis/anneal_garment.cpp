@@ -64,6 +64,24 @@ std::vector<Measurement> measurements_of(const GarmentTemplate& garment, const G
   return out;
 }
 
+/// How strongly each part of the scan attracts: what was found to be an outer garment's less. Empty
+/// when there is none.
+std::vector<float> shares_left(const Scan& scan, const Labels& labels, double attenuation) {
+  const auto outer = [&](std::size_t v) { return v < labels.label.size() && labels.label[v] != 0; };
+  const auto left = static_cast<float>(attenuation);
+  std::vector<float> out;
+  if (std::all_of(labels.label.begin(), labels.label.end(), [](auto l) { return l == 0; }))
+    return out;
+  if (scan.mesh.is_cloud()) {
+    for (std::size_t v = 0; v < scan.mesh.positions.size(); ++v)
+      out.push_back(outer(v) ? left : 1.0F);
+    return out;
+  }
+  for (const Triangle& t : scan.mesh.triangles)
+    out.push_back(outer(t[0]) && outer(t[1]) && outer(t[2]) ? left : 1.0F);
+  return out;
+}
+
 }  // namespace
 
 GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
@@ -81,7 +99,8 @@ GarmentAnalysis anneal_garment(const Scan& scan, const GarmentTemplate& garment,
   out.edges = edge_curves(edges);
 
   const FitTarget target(scan.mesh, masked_parts(scan, caps), kCloudSpacing * scan.facts.spacing,
-                         stage.options.fit.silhouette_size);
+                         stage.options.fit.silhouette_size,
+                         shares_left(scan, stage.labels, stage.options.layer_attenuation));
   FitOptions how = stage.options.fit;
   how.fixed = fixed;
   const GarmentFit fit = fit_garment(

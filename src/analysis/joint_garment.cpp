@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/hidden_edges.h"
 #include "analysis/joint_target.h"
 #include "analysis/stage.h"
 #include "analysis/weigh_estimates.h"
@@ -38,10 +39,25 @@ std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observ
   return out;
 }
 
+/// A path that ends under another garment: what shows of it and what is probably hidden.
+void add_hidden_length(const ObservedLength& o, const std::map<std::string, HiddenEdge>& hidden,
+                       Dimensions& dimensions) {
+  const auto dimension = dimensions.find(o.observation->equals);
+  if (o.seen || o.value <= 0 || dimension == dimensions.end()) return;
+  double length = o.value;
+  for (const std::string& end : {o.observation->edge, o.observation->to_edge}) {
+    const auto edge = hidden.find(end);
+    if (edge != hidden.end()) length += edge->second.beyond;
+  }
+  dimension->second = length;
+}
+
 /// Dimensions to start from, and the garment laid on the scan at these.
 void start(const GarmentTemplate& garment, const SeenGarment& seen, const Stage& stage,
-           const std::map<std::string, SolvedDimension>& solved, GarmentAnalysis& out) {
+           const std::map<std::string, SolvedDimension>& solved,
+           const std::map<std::string, HiddenEdge>& hidden, GarmentAnalysis& out) {
   for (const Dimension& d : garment.dimensions()) out.dimensions[d.name] = solved.at(d.name).value;
+  for (const ObservedLength& o : seen.observed) add_hidden_length(o, hidden, out.dimensions);
   out.dimensions = nearest_holding(garment, out.dimensions, fixed_of(stage.options, garment));
   move_pattern(garment, out.dimensions, out.pattern);
   out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
@@ -52,8 +68,9 @@ void start(const GarmentTemplate& garment, const SeenGarment& seen, const Stage&
   out.draped = lay_on_scan(out.pattern, out.placed, stage.samples, seen.cloth, curves);
 }
 
+/// `hidden`: where another garment hides what the dimension depends on; or null.
 Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const Stretch& stretch,
-                           bool observable, const Dimensions& fixed) {
+                           bool seen, const HiddenDimension* hidden, const Dimensions& fixed) {
   Measurement m;
   m.name = d.name, m.code = d.code;
   m.worn = worn.value;
@@ -61,15 +78,22 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
   const auto known = fixed.find(d.name);
   m.fixed = known != fixed.end();
   if (m.fixed) m.flat = m.low = m.high = known->second;
-  m.observable = m.fixed || observable;
+  m.observable = m.fixed || seen || (hidden && hidden->told);
   if (m.fixed) return m;
-  const double deviation =
-      std::hypot(worn.standard_deviation, worn.value * stretch.standard_deviation);
+  double deviation = std::hypot(worn.standard_deviation, worn.value * stretch.standard_deviation);
+  if (!seen && hidden) deviation = std::hypot(deviation, hidden->standard_deviation);
   m.low = std::max(d.lower, m.flat - kNormal90 * deviation);
   m.high = std::min(d.upper, m.flat + kNormal90 * deviation);
   if (m.observable) return m;
-  m.flat = d.typical, m.low = d.lower, m.high = d.upper;
   m.worn.reset();
+  if (hidden && hidden->standard_deviation > 0) {
+    if (hidden->value) m.flat = std::clamp(*hidden->value, d.lower, d.upper);
+    const double half = kNormal90 * (hidden->value ? hidden->standard_deviation : deviation);
+    m.low = std::min(m.flat, std::max({d.lower, hidden->least, m.flat - half}));
+    m.high = std::min(d.upper, m.flat + half);
+  } else {
+    m.flat = d.typical, m.low = d.lower, m.high = d.upper;
+  }
   return m;
 }
 
@@ -92,12 +116,14 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   const SeenGarment seen = look_for(garment, out.pattern, layer, stage);
   const Dimensions& fixed = fixed_of(stage.options, garment);
   const auto solved = solve_dimensions(garment, seen.observed, fixed);
-  start(garment, seen, stage, solved, out);
+  const auto hidden = hidden_edges(seen.edges, stage.body);
+  start(garment, seen, stage, solved, hidden, out);
 
   JointOptions options = stage.options.joint;
   options.fixed = fixed;
-  JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped,
-                           joint_target(stage.samples, seen.cloth, seen.edges),
+  JointTarget target = joint_target(stage.samples, seen.cloth, seen.edges, hidden);
+  target.outer = stage.outer;
+  JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped, target,
                            lengths_of(seen.observed), options, progress);
   if (fit.matched < kLeastMatched)
     throw NoGarmentError(
@@ -116,10 +142,13 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
+  const auto covered = hidden_dimensions(hidden, seen.observed, out.dimensions);
   for (const Dimension& d : garment.dimensions()) {
+    const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
     Measurement m = measurement_of(d, weigh(sources.at(d.name), role), stretch.at(d.name),
-                                   solved.at(d.name).observable, fixed);
+                                   solved.at(d.name).observable,
+                                   under == covered.end() ? nullptr : &under->second, fixed);
     if (m.observable) m.sources = sources.at(d.name);
     out.measurements.push_back(std::move(m));
   }
@@ -132,6 +161,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
                  layer, cut_options(seen.edges), stage.labels);
   out.deviation = deviation_of(scan, out, stage.labels);
   take(stage, seen.cloth, find_caps(scan, seen.edges), out);
+  stage.outer.push_back(outer_garment(out.pattern, out.draped));
   warn_about(garment, seen.edges, out, stage.warnings);
   return out;
 }

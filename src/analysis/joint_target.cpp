@@ -99,7 +99,8 @@ void drop_legs(const JointTarget& person, JointTarget& target) {
 }  // namespace
 
 JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
-                         const GarmentEdges& edges) {
+                         const GarmentEdges& edges,
+                         const std::map<std::string, HiddenEdge>& hidden) {
   JointTarget target;
   average_cloth(samples, cloth, target);
   std::vector<std::uint8_t> other(cloth.size());
@@ -108,9 +109,15 @@ JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::u
   average_cloth(samples, other, person);
   drop_legs(person, target);
   for (const auto& [name, edge] : edges.edges) {
-    if (edge.covered) continue;
     const LimbView& view = edges.limbs.at(edge.limb);
-    target.edges[name] = {edge_points(edge.found, view.map, view.axis), edge.found.standard_error};
+    JointTarget::Edge seen{edge_points(edge.found, view.map, view.axis), edge.found.standard_error};
+    if (edge.covered) {
+      const auto guess = hidden.find(name);
+      if (guess == hidden.end()) continue;
+      seen.standard_error = guess->second.standard_deviation, seen.as_one = true;
+      for (Vec3& p : seen.curve) p.y() += (edge.garment_above ? -1 : 1) * guess->second.beyond;
+    }
+    target.edges[name] = std::move(seen);
   }
   return target;
 }

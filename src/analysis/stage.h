@@ -23,6 +23,7 @@ struct Stage {
   Body body = {};
   std::vector<BodyPart> parts = {};      // per vertex
   std::vector<std::uint8_t> taken = {};  // per sample: belongs to a garment found before
+  std::vector<OuterGarment> outer = {};  // found before and draped, outermost first
   Labels labels = {};
   std::vector<std::uint8_t> cap = {};  // per triangle; empty for a cloud
   std::vector<std::string> warnings = {};

@@ -72,6 +72,11 @@ void add_annealing_options(CLI::App& fit, AnnealingArguments& a) {
       ->check(CLI::Range(1.0, 180.0))
       ->check(a_number)
       ->capture_default_str();
+  add(fit.add_option("--layer-attenuation", a.layer_attenuation,
+                     "How strongly scan of an outer garment attracts the next one, 0 to 1"))
+      ->check(CLI::Range(0.0, 1.0))
+      ->check(a_number)
+      ->capture_default_str();
   add(fit.add_option("--drape-from", a.drape_from,
                      "Where a drape starts: at the run's best one so far, or at the last"))
       ->check(CLI::IsMember({"best", "last"}))
@@ -84,6 +89,7 @@ void apply_annealing(const AnnealingArguments& a, AnalyzeOptions& how) {
   const bool departs = !a.as_printed;
   how.segment_distance = a.segment_distance_mm / 1000;
   how.cap_detection = a.cap_detection;
+  how.layer_attenuation = a.layer_attenuation;
   how.hold_edges = departs && a.held_edges;
   how.fit.runs = a.runs;
   how.fit.search.max_evaluations = a.evaluations;
@@ -110,6 +116,8 @@ std::vector<std::pair<std::string, std::string>> chosen_annealing(const Annealin
       number(a.segment_distance_mm));
   add("attraction", a.attraction != usual.attraction, a.attraction);
   add("normal-angle", a.normal_angle_deg != usual.normal_angle_deg, number(a.normal_angle_deg));
+  add("layer-attenuation", a.layer_attenuation != usual.layer_attenuation,
+      number(a.layer_attenuation));
   add("drape-from", a.drape_from != usual.drape_from, a.drape_from);
   for (const Switch& one : kSwitches) add(one.name, a.*one.member == one.thrown, "");
   return out;

@@ -23,6 +23,7 @@ struct Speech {
 struct AnnealingArguments {
   int runs = 3, evaluations = 500;
   double segment_distance_mm = 10, normal_angle_deg = 60;
+  double layer_attenuation = 0.1;
   std::string attraction = "normals", drape_from = "best";
   bool collisions = false, cap_detection = true, border_rejection = true;
   bool held_edges = true, rough_search = true, hesitation = true, square_root = true;

@@ -30,7 +30,8 @@ void AttractionOptions::check() const {
 
 std::vector<Attraction> attract(const Cloth& cloth, const ClosestPoint& scan,
                                 const AttractionOptions& options,
-                                const std::vector<std::uint8_t>& any_side) {
+                                const std::vector<std::uint8_t>& any_side,
+                                const std::vector<float>& shares) {
   const std::vector<Vec3> normals =
       options.by_normals ? particle_normals(cloth) : std::vector<Vec3>(cloth.size(), Vec3::Zero());
   std::vector<Attraction> out;
@@ -41,8 +42,9 @@ std::vector<Attraction> attract(const Cloth& cloth, const ClosestPoint& scan,
       filter.normal = normals[i];
       filter.min_cosine = std::cos(options.normal_angle);
     }
-    out.push_back(attraction_to(scan.closest(cloth.positions[i], filter), cloth.positions[i],
-                                options.border_rejection));
+    const ClosestHit hit = scan.closest(cloth.positions[i], filter);
+    out.push_back(attraction_to(hit, cloth.positions[i], options.border_rejection));
+    if (hit.found() && !shares.empty()) out.back().share = shares.at(hit.element);
   }
   return out;
 }

@@ -28,13 +28,16 @@ struct Attraction {
   bool found = false;          // false: nothing of the scan may attract this particle
   bool pulls = false;          // found, and not rejected
   double weight = 1;           // share of k_a it is pulled with, 0..1
+  double share = 1;            // how strongly that part of the scan attracts, 0..1; both count
 };
 
 /// Closest points of the scan for all particles. `any_side`: one per particle, 1 = its normal is
-/// not looked at; or empty.
+/// not looked at; or empty. `shares`: one per element of the scan, 0..1, how strongly it attracts:
+/// what an outer garment hides is only supported by it [sec. 3.6]; or empty, all fully.
 std::vector<Attraction> attract(const Cloth& cloth, const ClosestPoint& scan,
                                 const AttractionOptions& options,
-                                const std::vector<std::uint8_t>& any_side = {});
+                                const std::vector<std::uint8_t>& any_side = {},
+                                const std::vector<float>& shares = {});
 
 /// E_dist of sec. 3.3: mean over the particles of |d(p, M)|, m. A particle for which nothing was
 /// found counts with `far`; one that is not pulled counts with its distance.

@@ -23,7 +23,7 @@ double AttractionForce::energy(const Cloth& cloth) const {
   double sum = 0;
   for (std::size_t i = 0; i < cloth.size(); ++i)
     if (targets[i].pulls)
-      sum += 0.5 * stiffness * targets[i].weight *
+      sum += 0.5 * stiffness * targets[i].weight * targets[i].share *
              (targets[i].target - cloth.positions[i]).squaredNorm();
   return sum;
 }
@@ -31,14 +31,16 @@ double AttractionForce::energy(const Cloth& cloth) const {
 void AttractionForce::add_forces(const Cloth& cloth, std::vector<Vec3>& forces) const {
   for (std::size_t i = 0; i < cloth.size(); ++i)
     if (targets[i].pulls)
-      forces[i] += targets[i].weight * stiffness * (targets[i].target - cloth.positions[i]);
+      forces[i] += targets[i].weight * targets[i].share * stiffness *
+                   (targets[i].target - cloth.positions[i]);
 }
 
 void AttractionForce::add_jacobian(const Cloth& cloth, ForceJacobian& jacobian) const {
   for (std::size_t i = 0; i < cloth.size(); ++i) {
     if (!targets[i].pulls) continue;
     const Mat3 block = change(targets[i], targets[i].target - cloth.positions[i], grip);
-    jacobian.by_position.add(static_cast<int>(i), -targets[i].weight * stiffness * block);
+    jacobian.by_position.add(static_cast<int>(i),
+                             -targets[i].weight * targets[i].share * stiffness * block);
   }
 }
 

@@ -25,9 +25,10 @@ struct Surroundings {
 };
 
 Surroundings look_around(const Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
-                         const std::vector<std::uint8_t>& any_side) {
+                         const std::vector<std::uint8_t>& any_side,
+                         const std::vector<float>& shares) {
   Surroundings around;
-  around.targets = attract(cloth, scan, options.attraction, any_side);
+  around.targets = attract(cloth, scan, options.attraction, any_side, shares);
   if (options.collisions) around.contacts = find_contacts(cloth, scan);
   return around;
 }
@@ -132,14 +133,15 @@ int move_cloth(const std::vector<Vec3>& forces, const ForceJacobian& jacobian,
 }  // namespace
 
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options,
-                   const Progress& progress, const std::vector<HeldEdge>& held) {
+                   const Progress& progress, const std::vector<HeldEdge>& held,
+                   const std::vector<float>& shares) {
   options.check();
   cloth.check();
   if (scan.empty()) throw InvalidInput("drape: the scan is empty, there is nothing to lie on");
   std::vector<Vec3> forces(cloth.size());
   ForceJacobian jacobian = make_jacobian(cloth);
   TimeStep time_step(cloth);
-  Surroundings around = look_around(cloth, scan, options, {});
+  Surroundings around = look_around(cloth, scan, options, {}, shares);
   Hesitation hesitation(cloth.positions, around.targets);
   hold(held, cloth, around.targets);
   DrapeOutcome outcome;
@@ -151,7 +153,7 @@ DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& o
     sum_forces(cloth, around, options, forces, jacobian);
     outcome.rejected += move_cloth(forces, jacobian, options, time_step, h, cloth);
     ++outcome.steps;
-    around = look_around(cloth, scan, options, hesitation.any_side());
+    around = look_around(cloth, scan, options, hesitation.any_side(), shares);
     if (options.hesitation) hesitation.weigh(cloth.positions, around.targets);
     hold(held, cloth, around.targets);
     judge(cloth, around, outcome);

@@ -68,7 +68,8 @@ struct DrapeOutcome {
 /// `cloth`. Deterministic. Only the resting state is of interest, so the steps are long and few:
 /// about ten when dimensions changed by a few per cent, thirty from a placement.
 ///
-/// `held`: edges that are drawn to a curve; none as in the paper.
+/// `held`: edges that are drawn to a curve; none as in the paper. `shares`: how strongly each
+/// element of the scan attracts, see `attract`; or empty.
 ///
 /// One departure from the paper: a particle whose closest point keeps jumping between parts of the
 /// scan stops looking at normals and is then pulled less and less, or it would never rest.
@@ -76,6 +77,7 @@ struct DrapeOutcome {
 /// Throws InvalidInput for cloth that is empty, not finite or whose parts do not match, and when
 /// `scan` is empty; Stopped from progress, the cloth then lies where the last step brought it.
 DrapeOutcome drape(Cloth& cloth, const ClosestPoint& scan, const DrapeOptions& options = {},
-                   const Progress& progress = {}, const std::vector<HeldEdge>& held = {});
+                   const Progress& progress = {}, const std::vector<HeldEdge>& held = {},
+                   const std::vector<float>& shares = {});
 
 }  // namespace regarment

@@ -16,16 +16,19 @@ class FitTarget {
   /// of a cloud: 1 = neither attracts nor counts; or empty. `spacing`: m, mean distance between
   /// the points of a cloud, each drawn as a square of twice that width; not used for a mesh.
   /// Silhouettes are masks of `silhouette_size` x `silhouette_size` pixels. Draws in the thread
-  /// that calls. Throws InvalidInput when nothing is left unmasked.
+  /// that calls. `shares`: per triangle or point, 0..1, how strongly it attracts; or empty. Throws
+  /// InvalidInput when nothing is left unmasked or there are not as many shares.
   FitTarget(const Mesh& scan, const std::vector<std::uint8_t>& masked, double spacing,
-            int silhouette_size);
+            int silhouette_size, std::vector<float> shares = {});
 
   const ClosestPoint& surface() const { return surface_; }
+  const std::vector<float>& shares() const { return shares_; }
   const std::vector<Silhouette>& silhouettes() const { return outline_.silhouettes; }
   const std::vector<Camera>& cameras() const { return outline_.cameras; }
 
  private:
   ClosestPoint surface_;
+  std::vector<float> shares_;
   PersonOutline outline_;
 };
 

@@ -31,7 +31,7 @@ ErrorTerms Trial::judge(const Dimensions& dimensions, const Progress& progress) 
   move_pattern(garment_, dimensions, pattern_);
   update_cloth(pattern_, cloth_);
   std::fill(cloth_.velocities.begin(), cloth_.velocities.end(), Vec3::Zero());
-  outcome_ = drape(cloth_, target_.surface(), options_, progress, held_);
+  outcome_ = drape(cloth_, target_.surface(), options_, progress, held_, target_.shares());
   const std::vector<Silhouette> seen = renderer_.draw(cloth_.positions, target_.cameras());
   return {outcome_.mean_distance, outcome_.mean_stretch,
           silhouette_term(target_.silhouettes(), seen)};

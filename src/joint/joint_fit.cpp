@@ -85,6 +85,8 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
   std::vector<Vec3> x(pattern.particle_count, Vec3::Zero());
   for (std::size_t v = 0; v < placed.size(); ++v) x[pattern.particle[v]] = placed[v];
   Dimensions at = start;
+  std::vector<ClosestPoint> outer;
+  for (const OuterGarment& over : target.outer) outer.emplace_back(over.particles, over.triangles);
   JointFit out;
   for (std::size_t l = 0; l < options.levels.size(); ++l) {
     const JointLevel& level = options.levels[l];
@@ -100,6 +102,7 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
       progress.report("fit", (static_cast<double>(l) + static_cast<double>(round) / level.rounds) /
                                  static_cast<double>(options.levels.size()));
       match_scan(target, x, match, model);
+      if (!outer.empty()) bound_inside(outer, x, coverage(model), options.inside, model);
       model.lengths = evidence_of(garment, model.dimensions(), lengths);
       const JointStep step = system.step(model, x, held, limits);
       double longest = 0;

@@ -21,6 +21,7 @@ struct JointOptions {
   // From coarse to fine.
   std::vector<JointLevel> levels = {{0.05, 12, 0.04}, {0.02, 10, 0.015}};
   JointScales scales;
+  InsideOptions inside;
   MatchOptions match;  // its `robust` comes from the levels
   Dimensions fixed;    // m: known, stay as they are
 

@@ -1,5 +1,6 @@
 #include "joint/joint_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -82,6 +83,8 @@ double JointModel::energy(const std::vector<Vec3>& x, const Eigen::VectorXd& ste
     sum += m.weight * squared(m.normal.dot(at));
   }
   for (const EdgeMatch& e : edges) sum += e.weight * squared(e.across.dot(x[e.particle] - e.point));
+  for (const InsideBound& b : inside)
+    sum += b.weight * squared(std::max(0.0, b.outward.dot(x[b.particle] - b.point)));
   for (const LengthEvidence& o : lengths)
     sum += squared((o.at_model + o.slope.dot(step) - o.value) / o.standard_deviation);
   for (std::size_t k = 0; k < n; ++k) {

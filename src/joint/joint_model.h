@@ -29,6 +29,15 @@ struct EdgeMatch {
   double weight = 0;           // 1/m^2
 };
 
+/// A particle under another garment and where that one's inner side is.
+struct InsideBound {
+  int particle = 0;
+  Vec3 point = Vec3::Zero();    // on the inner side, m
+  Vec3 outward = Vec3::Zero();  // unit; beyond the point in this direction the particle is pushed
+                                // back, on this side it is free
+  double weight = 0;            // 1/m^2
+};
+
 /// A length that was measured: dimensions that explain it are likely.
 struct LengthEvidence {
   double value = 0;               // m, as measured
@@ -54,6 +63,7 @@ struct JointScales {
 ///               + 1/2 sum_h w_h |curvature_h(x)|^2                    bending
 ///               + 1/2 sum_m w_m (n_m . (x(m) - p_m))^2                scan on the garment
 ///               + 1/2 sum_e w_e (c_e . (x_e - q_e))^2                 edges seen
+///               + 1/2 sum_b w_b max(0, n_b . (x_b - p_b))^2           under another garment
 ///               + 1/2 sum_o ((f_o(theta) - value_o) / sd_o)^2         lengths measured
 ///               + 1/2 sum_k ((theta_k - typical_k) / spread_k)^2      prior, wide
 ///
@@ -85,6 +95,7 @@ class JointModel {
 
   std::vector<SurfaceMatch> surface;
   std::vector<EdgeMatch> edges;
+  std::vector<InsideBound> inside;
   std::vector<LengthEvidence> lengths;
   std::vector<double> arcs;  // per spring: length of the cloth over its chord; empty: all 1
   Eigen::VectorXd prior_mean, prior_weight;  // per dimension, m and 1/m^2

@@ -136,6 +136,12 @@ void JointSystem::add_matches(const JointModel& model, const std::vector<Vec3>& 
     gradient_.segment<3>(row_of(e.particle)) += e.weight * off * e.across;
     add_block(e.particle, e.particle, e.weight * e.across * e.across.transpose());
   }
+  for (const InsideBound& b : model.inside) {
+    const double beyond = b.outward.dot(x[b.particle] - b.point);
+    if (beyond <= 0) continue;
+    gradient_.segment<3>(row_of(b.particle)) += b.weight * beyond * b.outward;
+    add_block(b.particle, b.particle, b.weight * b.outward * b.outward.transpose());
+  }
 }
 
 void JointSystem::add_evidence(const JointModel& model) {

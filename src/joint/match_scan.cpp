@@ -6,6 +6,7 @@
 
 #include "geometry/closed_curve.h"
 #include "geometry/closest_point.h"
+#include "joint/particle_mesh.h"
 #include "joint/worn_lines.h"
 
 namespace regarment {
@@ -20,16 +21,6 @@ Vec3 shares_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   if (!(determinant > 1e-24)) return Vec3::Constant(1.0 / 3);
   const double s = (vv * wu - uv * wv) / determinant, t = (uu * wv - uv * wu) / determinant;
   return {1 - s - t, s, t};
-}
-
-std::vector<Triangle> particle_triangles(const Pattern& pattern) {
-  std::vector<Triangle> out;
-  out.reserve(pattern.triangles.size());
-  for (const Triangle& t : pattern.triangles)
-    out.push_back({static_cast<std::uint32_t>(pattern.particle[t[0]]),
-                   static_cast<std::uint32_t>(pattern.particle[t[1]]),
-                   static_cast<std::uint32_t>(pattern.particle[t[2]])});
-  return out;
 }
 
 void match_surface(const JointTarget& target, const std::vector<Triangle>& triangles,
@@ -73,8 +64,8 @@ void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
     const auto seen = target.edges.find(edge.name);
     if (seen == target.edges.end() || seen->second.curve.size() < 3) continue;
     const double error = std::max(kLeastEdgeError, seen->second.standard_error);
-    const double weight =
-        model.scales().edge_parts / (error * error) / static_cast<double>(edge.vertices.size());
+    const double parts = seen->second.as_one ? 1.0 : model.scales().edge_parts;
+    const double weight = parts / (error * error) / static_cast<double>(edge.vertices.size());
     for (const int v : edge.vertices) {
       const int p = model.pattern().particle[v];
       const auto [point, along] = closest_on_curve(seen->second.curve, x[p]);
@@ -85,7 +76,8 @@ void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
   }
 }
 
-/// Per particle: share of the cloth round it that the scan shows, 0..1.
+}  // namespace
+
 std::vector<double> coverage(const JointModel& model) {
   std::vector<double> seen(model.pattern().particle_count, 0.0);
   const double full = 1 / model.scales().patch / (model.scales().surface * model.scales().surface);
@@ -95,8 +87,6 @@ std::vector<double> coverage(const JointModel& model) {
     seen[i] = std::min(1.0, 1.5 * seen[i] / model.particle_areas()[i]);
   return seen;
 }
-
-}  // namespace
 
 void match_scan(const JointTarget& target, const std::vector<Vec3>& x, const MatchOptions& options,
                 JointModel& model) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "joint/bound_inside.h"
 #include "joint/joint_model.h"
 
 namespace regarment {
@@ -15,8 +16,10 @@ struct JointTarget {
   struct Edge {
     std::vector<Vec3> curve;      // closed
     double standard_error = 0.0;  // m, across the curve
+    bool as_one = false;          // its parts err together: the whole edge counts once
   };
-  std::map<std::string, Edge> edges;  // by the pattern's names; those that are not seen are absent
+  std::map<std::string, Edge> edges;  // by the pattern's names; absent: anywhere
+  std::vector<OuterGarment> outer;    // worn over this one
 };
 
 /// Which scan counts for which garment.
@@ -29,6 +32,9 @@ struct MatchOptions {
   double unseen = 0.05;     // least share of its weight that a spring keeps when it is too short
   double min_cosine = 0.4;  // between the normals of scan and garment
 };
+
+/// Per particle: share of the cloth round it that model.surface shows, 0..1.
+std::vector<double> coverage(const JointModel& model);
 
 /// Joins every point of the target to the nearest point of the garment that faces as it does, and
 /// every particle of a seen edge to its curve; replaces model.surface and model.edges. What lies

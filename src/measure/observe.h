@@ -11,7 +11,7 @@ namespace regarment {
 /// One observation of the template as measured on the scan.
 struct ObservedLength {
   const Observation* observation = nullptr;
-  double value = 0;               // m, worn
+  double value = 0;               // m, worn; of an unseen path what shows of it, or 0
   double standard_deviation = 0;  // m
   bool seen = false;              // false: the scan does not show it
 };

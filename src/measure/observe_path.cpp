@@ -40,7 +40,7 @@ UpperEdge Observer::upper_edge(const GarmentEdge& from, const GarmentEdge& to) c
 ObservedLength Observer::path(const Observation& o) const {
   ObservedLength out{&o, 0, 0, false};
   const GarmentEdge *from = edge(o.edge), *to = edge(o.to_edge);
-  if (!from || !to || from->covered || to->covered) return out;
+  if (!from || !to) return out;
   std::vector<double> ways;
   if (o.side == "centre") {
     ways = {centre_path(*from, *to, 0.0), centre_path(*from, *to, kPi)};
@@ -83,7 +83,7 @@ ObservedLength Observer::path(const Observation& o) const {
   if (o.side != "centre")
     out.standard_deviation +=
         o.side == "top" ? 0.008 : 0.004;  // where neck and shoulder meet is hard to see
-  out.seen = true;
+  out.seen = !from->covered && !to->covered;
   return out;
 }
 

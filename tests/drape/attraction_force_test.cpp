@@ -33,6 +33,11 @@ TEST(AttractionForce, PullsWithStiffnessTimesDistance) {
   targets[0].weight = 0.25;
   EXPECT_NEAR(forces_of(AttractionForce{kStiffness, 0, targets}, cloth)[0].y(),
               -0.25 * kStiffness * 0.03, 1e-12);
+  targets[0].share = 0.5;
+  EXPECT_NEAR(forces_of(AttractionForce{kStiffness, 0, targets}, cloth)[0].y(),
+              -0.125 * kStiffness * 0.03, 1e-12);
+  EXPECT_NEAR(AttractionForce(kStiffness, 0, targets).energy(cloth),
+              0.5 * 0.125 * kStiffness * 0.03 * 0.03, 1e-12);
   targets[0].pulls = false;
   EXPECT_EQ(forces_of(AttractionForce{kStiffness, 0, targets}, cloth)[0], Vec3::Zero());
   EXPECT_EQ(AttractionForce(kStiffness, 0, targets).energy(cloth), 0);

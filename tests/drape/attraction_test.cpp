@@ -41,6 +41,18 @@ TEST(Attract, GoesToTheClosestPoint) {
   }
 }
 
+// Two sheets side by side, the second an outer garment's.
+TEST(Attract, KnowsHowStronglyEachPartAttracts) {
+  Mesh mesh = sheet(0, 1);
+  add_sheet(1, 0, true, mesh);
+  for (std::size_t v = 4; v < 8; ++v) mesh.positions[v].x() += 1;
+  const ClosestPoint scan = closest_on(mesh);
+  const std::vector<float> shares = {1, 1, 0.1F, 0.1F};
+  EXPECT_EQ(attract(one_particle(Vec3(0.2, 0.1, 0.1)), scan, {}, {}, shares)[0].share, 1);
+  EXPECT_EQ(attract(one_particle(Vec3(0.8, 0.1, 0.1)), scan, {}, {}, shares)[0].share, 0.1F);
+  EXPECT_EQ(attract(one_particle(Vec3(0.8, 0.1, 0.1)), scan, {})[0].share, 1);
+}
+
 TEST(Attract, SendsAnUndersideToTheUnderside) {
   const Mesh limb = thin_limb();
   for (const Attraction& a : attract(patch_at(0.03, false), closest_on(limb), {}))

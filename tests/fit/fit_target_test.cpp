@@ -130,6 +130,7 @@ TEST(FitTarget, RefusesAScanOfWhichNothingIsLeft) {
   EXPECT_THROW(FitTarget(mesh, triangles, 0, kSize), InvalidInput);
   EXPECT_THROW(FitTarget(cloud, points, 0.05, kSize), InvalidInput);
   EXPECT_THROW(FitTarget(Mesh{}, {}, 0.05, kSize), InvalidInput);
+  EXPECT_THROW(FitTarget(mesh, {}, 0, kSize, {1, 1}), InvalidInput);
 }
 
 }  // namespace
