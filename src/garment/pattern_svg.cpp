@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kMm = 1000.0;           // per metre
 constexpr double kFontShare = 1 / 62.0;  // font size over the larger side of the pieces
+constexpr double kSketchFontShare = 1 / 30.0;
 const char* const kHalf = "\xC2\xBD";
 
 const char* const kStandaloneStyle = ".rp-pattern{color:#1d2126;background:#fff}\n";
@@ -43,6 +44,9 @@ const char* const kStyle =
 .rp-title{font-size:1.7em}
 .rp-small,.rp-head{font-size:.82em;fill-opacity:.72}
 .rp-number{font-variant-numeric:tabular-nums}
+.rp-badge{fill:var(--rp-accent,#c2410c);stroke:none}
+.rp-pattern .rp-letter{fill:#fff;font-weight:700}
+.rp-halo{stroke:#fff;stroke-width:.35em;stroke-linejoin:round;paint-order:stroke}
 )";
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -75,11 +79,12 @@ struct PlacedPiece {
 
 class Drawing {
  public:
-  Drawing(const GarmentTemplate& garment, const Dimensions& dimensions)
+  Drawing(const GarmentTemplate& garment, const Dimensions& dimensions, PatternStyle style)
       : garment_(garment),
         data_(garment.data()),
         dimensions_(dimensions),
-        scope_(data_, dimensions) {
+        scope_(data_, dimensions),
+        is_sketch_(style == PatternStyle::Sketch) {
     lay_out();
   }
 
@@ -88,7 +93,7 @@ class Drawing {
     for (const MeasureArrow& arrow : data_.arrows) body += draw_extensions(arrow);
     for (const PlacedPiece& piece : pieces_) body += draw_piece(piece);
     for (const MeasureArrow& arrow : data_.arrows) body += draw_arrow(arrow);
-    body += draw_legend();
+    if (!is_sketch_) body += draw_legend();
     return header(options) + "<style>\n" + (options.standalone ? kStandaloneStyle : kInlineStyle) +
            kStyle + "</style>\n" + body + "</svg>\n";
   }
@@ -108,8 +113,8 @@ class Drawing {
       widest += piece.box.size().x();
       pieces_.push_back(std::move(piece));
     }
-    font_ = std::max({widest, tallest, 300.0}) * kFontShare;
-    margin_ = 3.0 * font_;
+    font_ = std::max({widest, tallest, 300.0}) * (is_sketch_ ? kSketchFontShare : kFontShare);
+    margin_ = (is_sketch_ ? 0.5 : 3.0) * font_;
     add_arrow_room();
     double x = margin_, above = 0.0;
     for (const PlacedPiece& piece : pieces_) above = std::max(above, -piece.room.low.y());
@@ -118,9 +123,9 @@ class Drawing {
       x += piece.room.size().x() + margin_;
       bottom_ = std::max(bottom_, piece.origin.y() + piece.room.high.y());
     }
-    width_ = std::max(x, 46.0 * font_);
+    width_ = is_sketch_ ? x : std::max(x, 46.0 * font_);
     centre_pieces(width_ - x);
-    height_ = bottom_ + legend_height() + margin_;
+    height_ = bottom_ + margin_ + (is_sketch_ ? 0.0 : legend_height());
   }
 
   /// Arrows beside a piece take room with their text, two lines high.
@@ -190,7 +195,7 @@ class Drawing {
     std::string svg = cloth + svg_path("rp-cut", cut);
     if (!seams.empty()) svg += svg_path("rp-seam", seams);
     for (const int panel : piece.piece->panels) svg += draw_lines(piece, panel);
-    return svg + draw_grain(piece);
+    return is_sketch_ ? svg : svg + draw_grain(piece);
   }
 
   /// Construction lines that have a title, and the centre line of a panel cut on the fold.
@@ -210,13 +215,17 @@ class Drawing {
       if (shape.on_fold) svg += svg_line("rp-line", point(line.from, -1.0), point(line.to, -1.0));
       const Vec2 a = point(line.from, 1.0), b = point(line.to, 1.0);
       const Vec2 right = a.x() > b.x() ? a : b;
+      if (is_sketch_) continue;
       svg += svg_text("rp-small", right + Vec2(-1.2, -0.5) * font_, "end", line.title);
     }
     if (shape.on_fold) {
       const Vec2 a = point(shape.edges.front().from, 1.0), b = point(shape.edges.back().to, 1.0);
       const Vec2 lower = a.y() > b.y() ? a : b;
       svg += svg_line("rp-centre", a, b);
-      svg += svg_text("rp-small", lower + Vec2(-0.5, -1.2) * font_, "start", "centre line", -90.0);
+      if (!is_sketch_) {
+        svg +=
+            svg_text("rp-small", lower + Vec2(-0.5, -1.2) * font_, "start", "centre line", -90.0);
+      }
     }
     return svg;
   }
@@ -257,11 +266,32 @@ class Drawing {
     const std::string share = arrow.share == 0.5   ? std::string(kHalf) + " = "
                               : arrow.share == 1.0 ? ""
                                                    : svg_number(arrow.share) + " x = ";
+    const std::string length = share + cm_text(value) + (is_sketch_ ? "" : " cm");
+    if (is_sketch_) {
+      // Beside the badge, on the side away from the piece.
+      const bool above = (ends[0] - scope_.metres(arrow.from)).dot(down) < -1e-9;
+      const Vec2 place = middle + (above ? -1.3 : 2.05) * font_ * down;
+      return svg + draw_badge(middle, letter_of(dimension)) +
+             svg_text("rp-value rp-halo", place, "middle", length, degrees);
+    }
     svg += svg_text("rp-label", middle - 0.5 * font_ * down, "middle",
                     dimension.code + "  " + dimension.title, degrees);
-    svg += svg_text("rp-value", middle + 1.25 * font_ * down, "middle",
-                    share + cm_text(value) + " cm", degrees);
+    svg += svg_text("rp-value", middle + 1.25 * font_ * down, "middle", length, degrees);
     return svg;
+  }
+
+  std::string letter_of(const Dimension& dimension) const {
+    const auto& all = garment_.dimensions();
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const Dimension& d) { return d.name == dimension.name; });
+    return {static_cast<char>('A' + (at - all.begin()) % 26)};
+  }
+
+  std::string draw_badge(const Vec2& p, const std::string& letter) const {
+    const std::string radius = svg_number(0.85 * font_);
+    return "<circle class=\"rp-badge\" cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) +
+           "\" r=\"" + radius + "\"/>" +
+           svg_text("rp-letter", p + Vec2(0.0, 0.36 * font_), "middle", letter);
   }
 
   std::string draw_legend() const {
@@ -329,6 +359,7 @@ class Drawing {
   const Dimensions& dimensions_;
   NameScope scope_;
   std::vector<PlacedPiece> pieces_;
+  bool is_sketch_;
   double font_ = 0.0, margin_ = 0.0, width_ = 0.0, height_ = 0.0, bottom_ = 0.0;  // mm
 };
 
@@ -339,7 +370,7 @@ std::string pattern_svg(const GarmentTemplate& garment, const Dimensions& dimens
   garment.evaluate("0", dimensions);  // says which dimension is missing
   if (const auto reason = why_impossible(garment.data(), dimensions))
     throw InvalidInput(garment.name() + ": these dimensions make no garment: " + *reason);
-  return Drawing(garment, dimensions).svg(options);
+  return Drawing(garment, dimensions, options.style).svg(options);
 }
 
 }  // namespace regarment

@@ -55,6 +55,37 @@ TEST(PatternSvg, IsDrawnInMillimetres) {
   }
 }
 
+TEST(PatternSvg, ASketchHasLettersInTheOrderOfTheDimensions) {
+  for (const std::string name : {"skirt", "tshirt"}) {
+    const GarmentTemplate garment = find_template(name);
+    const std::string svg =
+        pattern_svg(garment, garment.typical(), {.style = PatternStyle::Sketch});
+    EXPECT_EQ(count(svg, "class=\"rp-badge\""), garment.dimensions().size());
+    char letter = 'A';
+    for (std::size_t i = 0; i < garment.dimensions().size(); ++i, ++letter) {
+      EXPECT_EQ(count(svg, std::string(">") + letter + "<"), 1u) << letter;
+    }
+    EXPECT_EQ(count(svg, "grain line") + count(svg, "cut 2") + count(svg, "No seam"), 0u);
+  }
+}
+
+// The waist's arrow lies above the piece, its length above the arrow; the hem's below.
+TEST(PatternSvg, TheLengthsOfASketchStandAwayFromThePiece) {
+  const GarmentTemplate skirt = find_template("skirt");
+  const std::string svg = pattern_svg(skirt, skirt.typical(), {.style = PatternStyle::Sketch});
+  const std::regex badge("rp-badge\" cx=\"[0-9.]+\" cy=\"([0-9.]+)\"");
+  const std::regex value("rp-value rp-halo\" x=\"[0-9.]+\" y=\"([0-9.]+)\"");
+  std::vector<double> badges, values;
+  for (std::sregex_iterator m(svg.begin(), svg.end(), badge), end; m != end; ++m)
+    badges.push_back(std::stod((*m)[1]));
+  for (std::sregex_iterator m(svg.begin(), svg.end(), value), end; m != end; ++m)
+    values.push_back(std::stod((*m)[1]));
+  ASSERT_EQ(badges.size(), 4u);  // waist, hip, hem, length, as the template draws them
+  ASSERT_EQ(values.size(), 4u);
+  EXPECT_LT(values[0], badges[0]);
+  EXPECT_GT(values[2], badges[2]);
+}
+
 TEST(PatternSvg, ShowsEveryMeasurementWithCodeTitleAndLength) {
   for (const std::string name : {"skirt", "tshirt"}) {
     const GarmentTemplate garment = find_template(name);
