@@ -75,6 +75,11 @@ std::optional<ResultDeviation> summarize_deviation(const std::vector<float>& val
   out.vertices = sorted.size();
   out.median_mm = rounded(quantile(sorted, 0.5), kDigits);
   out.p95_mm = rounded(quantile_of_sizes(sorted, 0.95), kDigits);
+  out.band_mm = kDeviationBand;
+  out.within =
+      static_cast<std::size_t>(std::count_if(sorted.begin(), sorted.end(), [](double value) {
+        return std::abs(value) <= kDeviationBand;
+      }));
   out.range_mm = rounded_significant(range * kMillimetres, 6);
   out.counts.assign(kBins, 0);
   for (const double value : sorted) count(value, out);

@@ -12,7 +12,7 @@ namespace regarment {
 struct PageParts {
   std::map<std::string, std::string>
       pictures;                       // StoredFigure::file -> bytes of a WebP, JPEG or PNG
-  std::vector<std::string> drawings;  // one SVG per garment
+  std::vector<std::string> sketches;  // one SVG per garment, letters beside its arrows
   std::vector<std::string>
       evaluations;  // one evaluations-I.csv per garment, empty where nothing was searched
 };

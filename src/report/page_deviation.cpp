@@ -42,6 +42,16 @@ std::string draw_histogram(const ResultDeviation& d) {
   return "<path class=\"bars\" d=\"" + bars.text() + "\"/>";
 }
 
+std::string draw_band(const ResultDeviation& d) {
+  if (d.band_mm >= d.range_mm) return {};
+  return "<rect class=\"band\"" +
+         attributes({{"x", x_of(-d.band_mm, d)},
+                     {"y", kTop - 4.0},
+                     {"width", x_of(d.band_mm, d) - x_of(-d.band_mm, d)},
+                     {"height", kFloor - kTop + 4.0}}) +
+         "/>";
+}
+
 std::string draw_bar(const std::string& id) {
   const ColourScale scale = symmetric_scale(1.0);
   std::string stops;
@@ -99,9 +109,13 @@ Gaps show_deviation(const ResultGarment& garment, std::size_t number) {
   gaps.set("median", signed_text(d.median_mm, 1));
   gaps.set("p95", fixed_text(d.p95_mm, 1));
   gaps.set("vertices", count_text(d.vertices));
+  gaps.set("within", share_text(d.within, d.vertices));
+  gaps.set("band", short_text(d.band_mm));
+  gaps.set("band_is_drawn", d.band_mm < d.range_mm);
+  gaps.set("no_data", css_colour(no_data_colour()));
   gaps.set("range", significant_text(d.range_mm, 1));
   gaps.set_maybe("beyond", d.below + d.above == 0 ? "" : share_text(d.below + d.above, d.vertices));
-  gaps.set("drawing", draw_bar(id + "-colours") + draw_histogram(d) +
+  gaps.set("drawing", draw_band(d) + draw_bar(id + "-colours") + draw_histogram(d) +
                           draw_mark(-d.p95_mm, d, "p95", "") + draw_mark(d.p95_mm, d, "p95", "") +
                           draw_mark(d.median_mm, d, "median", "median") + draw_ticks(d));
   return gaps;

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.h"
+#include "report/judgement.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -37,34 +39,63 @@ void show_interval(const ResultMeasurement& m, double half, Gaps& row) {
   row.set("low_x", plot_x(m.low_cm - m.value_cm, half));
   row.set("high_x", plot_x(m.high_cm - m.value_cm, half));
   row.set("has_truth_x", m.truth_cm.has_value());
-  if (m.truth_cm) row.set("truth_x", plot_x(*m.truth_cm - m.value_cm, half));
+  if (!m.truth_cm) return;
+  const double truth = *m.truth_cm - m.value_cm;
+  const Tolerance tolerance = tolerance_of(m);
+  row.set("truth_x", plot_x(truth, half));
+  row.set("band_from_x", plot_x(truth - tolerance.minus_cm, half));
+  row.set("band_to_x", plot_x(truth + tolerance.plus_cm, half));
+}
+
+struct Verdict {
+  const char *css, *icon, *text;
+};
+
+// In the order of Judgement.
+constexpr std::array<Verdict, 6> kVerdicts = {{{"pass", "\u2713", "pass"},
+                                               {"pass", "\u2713", "pass, likely"},
+                                               {"fail", "\u2717", "fail, likely"},
+                                               {"fail", "\u2717", "fail"},
+                                               {"none", "\u2013", "not measurable"},
+                                               {"none", "\u2013", "not judged"}}};
+
+// A value and, of a circumference, its half, as tech packs have it.
+void show_length(const std::string& name, const std::optional<double>& value_cm, bool circumference,
+                 Gaps& row) {
+  row.set_maybe(name, cm(value_cm));
+  row.set_maybe("half_" + name, value_cm && circumference ? cm(*value_cm / 2.0) : "");
 }
 
 void show_judgement(const ResultMeasurement& m, Gaps& row) {
-  const std::optional<bool> within = m.within_tolerance();
-  const bool has_tolerance = m.tol_minus_cm || m.tol_plus_cm;
-  row.set_maybe("truth", cm(m.truth_cm));
-  row.set_maybe("published", cm(m.published_cm));
+  const Tolerance tolerance = tolerance_of(m);
+  const bool judged = m.truth_cm.has_value() || tolerance.given;
+  row.set_maybe("tol_minus", judged ? "\u2212" + cm(tolerance.minus_cm) : "");
+  row.set_maybe("tol_plus", judged ? "+" + cm(tolerance.plus_cm) : "");
+  row.set("usual", judged && !tolerance.given);
   const auto error = m.error_cm();
   row.set_maybe("error", error && m.observable ? signed_cm_text(*error * kCentimetre) : "");
-  row.set_maybe("tolerance", has_tolerance ? "\u2212" + cm(m.tol_minus_cm.value_or(0.0)) + " / +" +
-                                                 cm(m.tol_plus_cm.value_or(0.0))
-                                           : "");
-  row.set("pass", within.has_value() && *within);
-  row.set("fail", within.has_value() && !*within);
-  row.set("not_judged", !within.has_value() && m.observable);
+  const Verdict& verdict = kVerdicts[static_cast<std::size_t>(judge(m))];
+  row.set("result_kind", verdict.css);
+  row.set("result_icon", verdict.icon);
+  row.set("result", verdict.text);
 }
 
-Gaps show_measurement(const ResultGarment& garment, const ResultMeasurement& m, double half) {
+/// A, B, ... as the sketch has them.
+std::string letter_of(std::size_t index) { return {static_cast<char>('A' + index % 26)}; }
+
+Gaps show_measurement(const ResultGarment& garment, std::size_t index, double half) {
+  const ResultMeasurement& m = garment.measurements[index];
   Gaps row;
+  row.set("letter", letter_of(index));
   row.set("id", garment.template_name + "-" + std::to_string(garment.layer) + "-" + m.code);
   row.set("code", m.code);
   row.set("title", m.title);
   row.set("how", m.how_to_measure);
   row.set("definition", m.definition);
-  row.set("value", cm(m.value_cm));
-  row.set_maybe("half", m.circumference ? cm(m.value_cm / 2.0) : "");
-  row.set_maybe("worn", cm(m.worn_cm));
+  show_length("value", m.value_cm, m.circumference, row);
+  show_length("worn", m.worn_cm, m.circumference, row);
+  show_length("spec", m.truth_cm, m.circumference, row);
+  row.set_maybe("published", cm(m.published_cm));
   row.set("observable", m.observable);
   row.set("hidden", !m.observable);
   row.set("fixed", m.fixed);
@@ -105,6 +136,26 @@ Gaps show_edge(const ResultGarment& garment, const ResultEdge& edge) {
   return row;
 }
 
+/// Each edge that has a left and a right: how the two differ.
+std::vector<Gaps> show_sides(const ResultGarment& garment) {
+  std::vector<Gaps> out;
+  for (const ResultEdge& left : garment.edges) {
+    if (!left.name.starts_with("left_")) continue;
+    const std::string what = left.name.substr(5);
+    for (const ResultEdge& right : garment.edges) {
+      if (right.name != "right_" + what) continue;
+      Gaps& gaps = out.emplace_back();
+      gaps.set("what", what);
+      gaps.set("left", cm(left.length_cm));
+      gaps.set("right", cm(right.length_cm));
+      gaps.set("difference", signed_cm_text((left.length_cm - right.length_cm) * kCentimetre));
+      gaps.set("height", left.height_cm < right.height_cm ? "lower" : "higher");
+      gaps.set("apart", cm(std::abs(left.height_cm - right.height_cm)));
+    }
+  }
+  return out;
+}
+
 bool any(const ResultGarment& garment, bool (*has)(const ResultMeasurement&)) {
   return std::any_of(garment.measurements.begin(), garment.measurements.end(), has);
 }
@@ -112,22 +163,23 @@ bool any(const ResultGarment& garment, bool (*has)(const ResultMeasurement&)) {
 // As a picture the drawing keeps its styles and its text to itself, and can neither run nor fetch.
 std::string picture_of(const std::string& svg) {
   if (!svg.starts_with("<svg") && !svg.starts_with("<?xml")) {
-    throw ReadError("a pattern drawing is no SVG; run 'regarment fit' again");
+    throw ReadError("a sketch is no SVG; run 'regarment fit' again");
   }
   return "data:image/svg+xml;base64," + base64(svg);
 }
 
 std::string in_words(const ResultGarment& garment) {
-  std::string text = "Flat pattern of the " + garment.title + " with its measurements";
-  for (const ResultMeasurement& m : garment.measurements) {
-    text += ", " + m.code + " " + m.title + " " + cm(m.value_cm) + " cm";
+  std::string text = "Flat sketch of the " + garment.title + " with its measurements";
+  for (std::size_t i = 0; i < garment.measurements.size(); ++i) {
+    const ResultMeasurement& m = garment.measurements[i];
+    text += ", " + letter_of(i) + " " + m.title + " " + cm(m.value_cm) + " cm";
   }
   return text;
 }
 
 }  // namespace
 
-Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& drawing) {
+Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& sketch) {
   Gaps gaps;
   gaps.set("number", std::to_string(number));
   gaps.set("name", garment.title);
@@ -135,27 +187,30 @@ Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::s
   gaps.set("layer", std::to_string(garment.layer));
   const double half = half_scale(garment);
   std::vector<Gaps> rows;
-  for (const ResultMeasurement& m : garment.measurements) {
-    rows.push_back(show_measurement(garment, m, half));
+  for (std::size_t i = 0; i < garment.measurements.size(); ++i) {
+    rows.push_back(show_measurement(garment, i, half));
   }
-  const bool has_truth = any(garment, [](const auto& m) { return m.truth_cm.has_value(); });
+  const bool with_spec = any(garment, [](const auto& m) { return m.truth_cm.has_value(); });
   gaps.set("measurements", std::move(rows));
-  gaps.set("with_truth", has_truth);
+  gaps.set("with_spec", with_spec);
   gaps.set("with_published",
            any(garment, [](const auto& m) { return m.published_cm.has_value(); }));
-  gaps.set("with_tolerance", has_truth && any(garment, [](const auto& m) {
-                               return m.tol_minus_cm.has_value() || m.tol_plus_cm.has_value();
-                             }));
+  gaps.set("with_usual", with_spec && any(garment, [](const auto& m) {
+                           return m.truth_cm.has_value() && !tolerance_of(m).given;
+                         }));
+  gaps.set("usual_length", cm(kUsualLength));
+  gaps.set("usual_girth", cm(kUsualGirth));
   gaps.set("with_hidden", any(garment, [](const auto& m) { return !m.observable; }));
   std::vector<Gaps> edges;
   for (const ResultEdge& edge : garment.edges) edges.push_back(show_edge(garment, edge));
   gaps.set("has_edges", !edges.empty());
   gaps.set("edges", std::move(edges));
+  gaps.set("sides", show_sides(garment));
   gaps.set("distance", fixed_text(garment.mean_distance_m * 1000.0, 1));
   gaps.set("stretched", garment.mean_stretch < 1.0 ? "compressed" : "stretched");
   gaps.set("stretch", fixed_text(std::abs(garment.mean_stretch - 1.0) * 100.0, 1));
   gaps.set_maybe("silhouette", garment.silhouette ? fixed_text(*garment.silhouette, 2) : "");
-  gaps.set("drawing", picture_of(drawing));
+  gaps.set("drawing", picture_of(sketch));
   gaps.set("drawing_in_words", in_words(garment));
   return gaps;
 }

@@ -9,11 +9,11 @@
 
 namespace regarment {
 
-/// The head and the verdict: what was found, how sure, remarks.
+/// The head and the verdict: what was found, the lights it rests on, remarks.
 void show_verdict(const Result& result, Gaps& page);
 
-/// One garment, the `number`-th from 1 on: its measurement table, edges and drawing.
-Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& drawing);
+/// One garment, the `number`-th from 1 on: its measurement table, edges and sketch.
+Gaps show_garment(const ResultGarment& garment, std::size_t number, const std::string& sketch);
 
 /// The legend of the deviation pictures: one histogram over the colour bar per garment that has
 /// deviations.

@@ -77,6 +77,26 @@ Gaps label_row(const std::string& name, std::size_t count, const Result& result,
   return row;
 }
 
+// Each stage with a bar of its share of the whole.
+void show_times(const Result& result, Gaps& page) {
+  page.set("has_times", !result.timing_s.empty());
+  if (result.timing_s.empty()) return;
+  constexpr double kBar = 240.0;  // px, of everything
+  const double total = result.timing_s.back().second;
+  std::vector<Gaps> rows;
+  for (const auto& [stage, seconds] : result.timing_s) {
+    if (stage == "total") continue;
+    const double part = total > 0.0 ? seconds / total : 0.0;
+    Gaps& row = rows.emplace_back();
+    row.set("name", stage);
+    row.set("value", fixed_text(seconds, 2));
+    row.set("width", fixed_text(part * kBar, 1));
+    row.set("share", fixed_text(part * 100.0, 0));
+  }
+  page.set("total_time", fixed_text(total, 1));
+  page.set("times", std::move(rows));
+}
+
 }  // namespace
 
 void show_scan(const Result& result, Gaps& page) {
@@ -135,12 +155,7 @@ void show_settings(const Result& result, Gaps& page) {
   settings.push_back(fact("SHA-256 of the scan", result.scan.sha256));
   page.set("settings", std::move(settings));
   page.set("command", result.command);
-  std::vector<Gaps> times;
-  for (const auto& [stage, seconds] : result.timing_s) {
-    times.push_back(fact(stage, fixed_text(seconds, 3)));
-  }
-  page.set("has_times", !times.empty());
-  page.set("times", std::move(times));
+  show_times(result, page);
 }
 
 }  // namespace regarment

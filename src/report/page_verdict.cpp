@@ -1,36 +1,41 @@
-#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
+#include "report/checks.h"
+#include "report/judgement.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
 namespace regarment {
 namespace {
 
-struct Tally {
-  std::size_t dimensions = 0, observable = 0, judged = 0, passed = 0;
-  std::vector<double> half_widths;  // cm, of the intervals of observable dimensions
-  std::vector<std::pair<double, std::string>> errors;  // cm, with the dimension's title
+struct Sign {
+  const char *css, *icon, *word;
 };
 
-Tally tally(const Result& result) {
-  Tally out;
-  for (const ResultGarment& garment : result.garments) {
-    for (const ResultMeasurement& m : garment.measurements) {
-      ++out.dimensions;
-      if (!m.observable) continue;
-      ++out.observable;
-      if (m.fixed) continue;
-      out.half_widths.push_back((m.high_cm - m.low_cm) / 2.0);
-      if (const auto error = m.error_cm()) out.errors.emplace_back(*error, m.title);
-      if (const auto within = m.within_tolerance()) {
-        ++out.judged;
-        if (*within) ++out.passed;
-      }
-    }
-  }
-  return out;
+// Each light is told by its shape and its word as well as by its colour.
+constexpr std::array<Sign, 3> kSigns = {
+    {{"good", "\u2713", "Good"}, {"look", "!", "Look"}, {"poor", "\u2717", "Poor"}}};
+
+Sign sign_of(CheckLevel level) { return kSigns[static_cast<std::size_t>(level)]; }
+
+void show_sign(CheckLevel level, Gaps& gaps) {
+  const Sign sign = sign_of(level);
+  gaps.set("level", sign.css);
+  gaps.set("icon", sign.icon);
+  gaps.set("word", sign.word);
+}
+
+Gaps show_check(const Check& check) {
+  Gaps row;
+  show_sign(check.level, row);
+  row.set("name", check.name);
+  row.set("found", check.found);
+  row.set("threshold", check.threshold);
+  row.set("place", check.place);
+  row.set_maybe("advice", check.advice);
+  return row;
 }
 
 std::string names(const Result& result) {
@@ -47,72 +52,66 @@ std::string names(const Result& result) {
   return out;
 }
 
-std::string of(std::size_t part, std::size_t whole) {
-  return std::to_string(part) + " of " + std::to_string(whole);
-}
-
-std::string sureness(const Result& result, Tally& all) {
-  std::string text;
-  if (!all.half_widths.empty()) {
-    const auto middle = all.half_widths.begin() + static_cast<long>(all.half_widths.size() / 2);
-    std::nth_element(all.half_widths.begin(), middle, all.half_widths.end());
-    text = "Half of the dimensions are known to \u00b1\u202f" + fixed_text(*middle, 1) +
-           "\u202fcm or better (90\u202f%). ";
+// What the page says first: how many dimensions, and how many lights are not good.
+std::string headline(const Result& result, const std::vector<Check>& checks) {
+  std::size_t dimensions = 0, measured = 0;
+  for (const ResultGarment& garment : result.garments) {
+    for (const ResultMeasurement& m : garment.measurements) {
+      ++dimensions;
+      measured += m.observable;
+    }
   }
-  const double vertices = static_cast<double>(std::max<std::size_t>(1, result.scan.vertices));
-  const double sure = 1.0 - static_cast<double>(result.unsure) / vertices;
-  // Rounded down, so that 100 % means all.
-  return text + fixed_text(std::floor(sure * 1000.0) / 10.0, 1) + "\u202f% of the labels are sure.";
+  std::size_t look = 0, poor = 0;
+  for (const Check& check : checks) {
+    look += check.level == CheckLevel::Look;
+    poor += check.level == CheckLevel::Poor;
+  }
+  std::string text =
+      std::to_string(measured) + " of " + std::to_string(dimensions) + " dimensions measured; ";
+  if (poor > 0) text += counted(poor, "check is poor", "checks are poor");
+  if (poor > 0 && look > 0) text += ", ";
+  if (look > 0) text += counted(look, "check needs a look", "checks need a look");
+  return text + (look + poor == 0 ? "all checks are good" : "");
 }
 
-std::string against_truth(const Tally& all) {
-  if (all.errors.empty()) return {};
+std::string against_truth(const Result& result) {
   double sum = 0.0;
-  std::pair<double, std::string> worst = all.errors.front();
-  for (const auto& error : all.errors) {
-    sum += std::abs(error.first);
-    if (std::abs(error.first) > std::abs(worst.first)) worst = error;
+  std::size_t count = 0;
+  const ResultMeasurement* worst = nullptr;
+  for (const ResultGarment& garment : result.garments) {
+    for (const ResultMeasurement& m : garment.measurements) {
+      if (judge(m) == Judgement::NotJudged || judge(m) == Judgement::NotMeasurable) continue;
+      if (!m.error_cm()) continue;
+      sum += std::abs(*m.error_cm());
+      ++count;
+      if (worst == nullptr || std::abs(*m.error_cm()) > std::abs(*worst->error_cm())) worst = &m;
+    }
   }
-  std::string text = "Against the truth given: mean absolute error " +
-                     fixed_text(sum / static_cast<double>(all.errors.size()), 1) +
-                     "\u202fcm, the largest " + signed_cm_text(worst.first / 100.0) + "\u202fcm (" +
-                     worst.second + ").";
-  if (all.judged > 0) text += " Within tolerance: " + of(all.passed, all.judged) + ".";
-  return text;
-}
-
-/// Findings about the scan that a person should look at.
-std::size_t serious_findings(const Result& result) {
-  const auto& findings = result.scan.findings;
-  return static_cast<std::size_t>(
-      std::count_if(findings.begin(), findings.end(),
-                    [](const Finding& f) { return f.severity != Severity::Note; }));
+  if (worst == nullptr) return {};
+  return "Mean absolute difference from the specification " +
+         fixed_text(sum / static_cast<double>(count), 1) + "\u202fcm, the largest " +
+         signed_cm_text(*worst->error_cm() / 100.0) + "\u202fcm (" + worst->title + ").";
 }
 
 }  // namespace
 
 void show_verdict(const Result& result, Gaps& page) {
-  Tally all = tally(result);
-  const bool clear =
-      all.observable == all.dimensions && result.warnings.empty() && serious_findings(result) == 0;
+  const std::vector<Check> checks = checks_of(result);
+  // A remark about a garment is no light of its own; it needs a reader all the same.
+  CheckLevel level = worst_level(checks);
+  if (!result.warnings.empty()) level = std::max(level, CheckLevel::Look);
+  show_sign(level, page);
   page.set("title", names(result));
   page.set("file", result.scan.file);
   page.set("method", result.method);
   page.set("version", result.version);
-  page.set("is_clear", clear);
-  page.set("needs_a_look", !clear);
-  page.set("found", of(all.observable, all.dimensions) + " dimensions measured");
-  page.set("sureness", sureness(result, all));
-  page.set_maybe("against_truth", against_truth(all));
-  const std::size_t serious = serious_findings(result);
-  page.set_maybe("scan_remarks", serious == 0 ? ""
-                                              : counted(serious, "finding about the scan needs",
-                                                        "findings about the scan need") +
-                                                    " a look");
-  std::vector<Gaps> warnings;
+  page.set("headline", headline(result, checks));
+  page.set_maybe("against_truth", against_truth(result));
+  std::vector<Gaps> rows, warnings;
+  for (const Check& check : checks) rows.push_back(show_check(check));
+  page.set("checks", std::move(rows));
   for (const std::string& warning : result.warnings) {
-    Gaps& gaps = warnings.emplace_back();
-    gaps.set("text", warning);
+    warnings.emplace_back().set("text", warning);
   }
   page.set("has_warnings", !warnings.empty());
   page.set("warnings", std::move(warnings));

@@ -97,6 +97,8 @@ ResultDeviation read_deviation(const Json& j, const std::string& where) {
   j.at("vertices").get_to(d.vertices);
   j.at("median_mm").get_to(d.median_mm);
   j.at("p95_mm").get_to(d.p95_mm);
+  j.at("band_mm").get_to(d.band_mm);
+  j.at("within_band").get_to(d.within);
   j.at("range_mm").get_to(d.range_mm);
   const Json& histogram = j.at("histogram");
   histogram.at("below").get_to(d.below);
@@ -104,6 +106,8 @@ ResultDeviation read_deviation(const Json& j, const std::string& where) {
   histogram.at("counts").get_to(d.counts);
   std::size_t sum = d.below + d.above;
   for (const std::size_t count : d.counts) sum += count;
+  if (d.within > d.vertices)
+    contradiction(where, "/deviation: more within the band than there are");
   if (sum != d.vertices) contradiction(where, "/deviation: the counts do not add up");
   return d;
 }

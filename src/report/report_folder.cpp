@@ -15,7 +15,7 @@ namespace regarment {
 namespace {
 
 constexpr std::size_t kMostJson = 64u << 20;     // bytes of a stored result.json
-constexpr std::size_t kMostPicture = 16u << 20;  // and of a stored picture or drawing
+constexpr std::size_t kMostPicture = 16u << 20;  // and of a stored picture or sketch
 constexpr std::size_t kMostTable = 17u << 20;    // more than a table may have, so that it is told
 
 std::vector<Vec3> in_file(const Scan& scan, const std::vector<Vec3>& p_in_body) {
@@ -78,7 +78,8 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
     parts.pictures[figure.file] = read_file(folder / figure.file, kMostPicture);
   }
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
-    parts.drawings.push_back(read_file(folder / numbered("pattern", i, ".svg"), kMostPicture));
+    parts.sketches.push_back(
+        read_file(folder / numbered("pictures/sketch", i, ".svg"), kMostPicture));
     parts.evaluations.emplace_back();
     if (!result.garments[i].search) continue;
     parts.evaluations.back() = read_file(folder / numbered("evaluations", i, ".csv"), kMostTable);
@@ -96,8 +97,10 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
   PageParts parts{pictures.bytes, {}, {}};
   for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
     const GarmentAnalysis& garment = analysis.garments[i];
-    parts.drawings.push_back(pattern_svg(templates[i], garment.dimensions));
-    files[numbered("pattern", i, ".svg")] = parts.drawings.back();
+    parts.sketches.push_back(
+        pattern_svg(templates[i], garment.dimensions, {.style = PatternStyle::Sketch}));
+    files[numbered("pictures/sketch", i, ".svg")] = parts.sketches.back();
+    files[numbered("pattern", i, ".svg")] = pattern_svg(templates[i], garment.dimensions);
     files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
     files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
     parts.evaluations.push_back(garment.trace ? evaluations_csv(*garment.trace) : "");

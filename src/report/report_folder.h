@@ -16,9 +16,9 @@ namespace regarment {
 using ReportFiles = std::map<std::string, std::string>;
 
 /// All files of an analysis: report.html, result.json, measurements.csv, labels.u8, segmented.ply,
-/// pictures/..., state.bin where the options hold one, and per garment I garment-I.ply,
-/// pattern-I.json, pattern-I.svg and, when it was searched for, evaluations-I.csv. `templates` are
-/// those of the garments, in their order. Depends on its arguments alone.
+/// pictures/... (sketch-I.svg too), state.bin where the options hold one, and per garment I
+/// garment-I.ply, pattern-I.json, pattern-I.svg and, when it was searched for, evaluations-I.csv.
+/// `templates` are those of the garments, in their order. Depends on its arguments alone.
 ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
                          const ReportOptions& options, const Pictures& pictures);
 

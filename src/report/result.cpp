@@ -201,12 +201,6 @@ std::optional<double> ResultMeasurement::error_cm() const {
   return rounded(value_cm - *truth_cm, kDigits);
 }
 
-std::optional<bool> ResultMeasurement::within_tolerance() const {
-  const std::optional<double> error = error_cm();
-  if (!observable || !error || (!tol_minus_cm && !tol_plus_cm)) return std::nullopt;
-  return *error >= -tol_minus_cm.value_or(0.0) && *error <= tol_plus_cm.value_or(0.0);
-}
-
 Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
                    const ReportOptions& options) {
   check_sizes(analysis, templates);

@@ -40,9 +40,6 @@ struct ResultMeasurement {
   std::optional<double> truth_cm, published_cm, tol_minus_cm, tol_plus_cm;
 
   std::optional<double> error_cm() const;  // value - truth
-  /// Whether the error lies within the tolerances; nothing when the truth or both tolerances are
-  /// missing or the dimension is not observable. A missing one of the two counts as 0.
-  std::optional<bool> within_tolerance() const;
 };
 
 /// Another height at which an edge may as well lie.

@@ -145,6 +145,8 @@ Json deviation_json(const ResultDeviation& d) {
   return {{"vertices", d.vertices},
           {"median_mm", d.median_mm},
           {"p95_mm", d.p95_mm},
+          {"band_mm", d.band_mm},
+          {"within_band", d.within},
           {"range_mm", d.range_mm},
           {"histogram", {{"below", d.below}, {"counts", d.counts}, {"above", d.above}}}};
 }

@@ -41,6 +41,12 @@ std::string significant_text(double value, int digits) {
   return fixed_text(value, std::clamp(digits - before, 0, 12));
 }
 
+std::string short_text(double value) {
+  int digits = 0;
+  while (digits < 3 && std::abs(value - rounded(value, digits)) > 1e-9) ++digits;
+  return fixed_text(value, digits);
+}
+
 std::string count_text(std::size_t count) {
   std::string text = std::to_string(count);
   for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\u202f");

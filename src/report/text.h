@@ -21,6 +21,9 @@ std::string fixed_text(double value, int digits);
 /// is "1235". At most 12 digits after the point; zero is "0".
 std::string significant_text(double value, int digits);
 
+/// At most three digits after the point, and none that says nothing: 5 is "5", 0.970 is "0.97".
+std::string short_text(double value);
+
 /// A count with thin groups of three: 131072 is "131 072" (narrow no-break spaces).
 std::string count_text(std::size_t count);
 

@@ -24,6 +24,7 @@ TEST(Deviation, IsCountedByHand) {
   EXPECT_DOUBLE_EQ(found->median_mm, 0.0);
   EXPECT_NEAR(found->p95_mm, 11.7, 1e-3);
   EXPECT_DOUBLE_EQ(found->range_mm, 10.0);
+  EXPECT_EQ(found->within, 4u);  // of -3.9, -0.25, 0 and 1 mm
   EXPECT_EQ(found->below, 1u);
   EXPECT_EQ(found->above, 1u);
   // Bins of half a millimetre from -10 mm: -3.9 lies in the 13th, 0 begins the 21st, 1 the 23rd.

@@ -23,7 +23,7 @@ class PageSearch : public testing::Test {
  protected:
   PageSearch() {
     use(tiny_trace());
-    result_.garments[0].deviation = ResultDeviation{10, 0.5, 4.0, 5.0, 1, {2, 3, 4}, 0};
+    result_.garments[0].deviation = ResultDeviation{10, 0.5, 4.0, 3.0, 7, 5.0, 1, {2, 3, 4}, 0};
     result_.figures = {{"deviation", "front", "pictures/deviation-front.png", 3, 4}};
   }
 
@@ -86,7 +86,7 @@ TEST_F(PageSearch, LeavesNoGapUnfilledAndRequestsNothing) {
   use(made_trace(find_template("skirt"), 3, 500));
   const std::string text = page();
   EXPECT_EQ(count(text, "{{") + count(text, "}}"), 0u);
-  EXPECT_EQ(count(text, "<script") + count(text, "<link") + count(text, "@import"), 0u);
+  EXPECT_EQ(count(text, "<link") + count(text, "@import"), 0u);
   EXPECT_EQ(count(text, "http://") + count(text, "https://"), 0u);
   EXPECT_EQ(count(text, "url("), count(text, "url(#"));
 }
@@ -102,6 +102,14 @@ TEST_F(PageSearch, EachDrawingHasATitleAndWords) {
     EXPECT_EQ(count(text, std::string("<title id=\"") + id + "-title\""), 1u) << id;
     EXPECT_EQ(count(text, std::string("<desc id=\"") + id + "-words\""), 1u) << id;
   }
+}
+
+TEST_F(PageSearch, ShowsTheBandOfAGoodFitInTheHistogram) {
+  EXPECT_EQ(count(page(), "<rect class=\"band\""), 1u);
+  EXPECT_EQ(count(page(), "70.0&nbsp;% within the ±3&nbsp;mm a good fit keeps (pale band)"), 1u);
+  result_.garments[0].deviation->band_mm = 5.0;  // as wide as the scale: nothing to draw
+  EXPECT_EQ(count(page(), "<rect class=\"band\""), 0u);
+  EXPECT_EQ(count(page(), "(pale band)"), 0u);
 }
 
 TEST_F(PageSearch, TellsTheRunsAndWhichWasKept) {
@@ -124,7 +132,7 @@ TEST_F(PageSearch, ASearchTakesLittleRoom) {
 TEST_F(PageSearch, EscapesTitles) {
   result_.garments[0].title = "<script>";
   result_.garments[0].measurements[0].title = "<script>";
-  EXPECT_EQ(count(page(), "<script"), 0u);
+  EXPECT_EQ(count(page(), "<script"), 1u);  // the page's own
 }
 
 // Each change breaks what the file says of its search.
@@ -154,6 +162,7 @@ TEST_F(PageSearch, ResultsThatContradictThemselvesAreRefused) {
   refuses([](Json& g) { g["runs"][0]["ending"] = "tired"; });
   refuses([](Json& g) { g["error"]["total"] = nullptr; });
   refuses([](Json& g) { g["deviation"]["vertices"] = 11; });
+  refuses([](Json& g) { g["deviation"]["within_band"] = 11; });
   refuses([](Json& g) { g["deviation"]["range_mm"] = 0; });
   refuses([](Json& g) { g["deviation"]["histogram"]["counts"] = Json::array(); });
   refuses([](Json& g) { g["deviation"]["histogram"]["counts"][0] = -2; });

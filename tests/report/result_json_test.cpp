@@ -99,21 +99,5 @@ TEST(ResultSchema, RefusesTextThatIsNoSoundJson) {
   EXPECT_THROW(check_by_result_schema("\"\xff\"", "r"), ReadError);
 }
 
-TEST(ResultMeasurement, TheToleranceIncludesItsEnds) {
-  ResultMeasurement m;
-  m.value_cm = 55.0;
-  EXPECT_FALSE(m.within_tolerance().has_value());
-  m.truth_cm = 54.0;
-  EXPECT_FALSE(m.within_tolerance().has_value());
-  m.tol_plus_cm = 1.0;
-  EXPECT_TRUE(*m.within_tolerance());
-  m.value_cm = 55.01;
-  EXPECT_FALSE(*m.within_tolerance());
-  m.value_cm = 53.9;
-  EXPECT_FALSE(*m.within_tolerance());  // no minus tolerance: none is allowed
-  m.observable = false;
-  EXPECT_FALSE(m.within_tolerance().has_value());
-}
-
 }  // namespace
 }  // namespace regarment

@@ -78,11 +78,11 @@ inline Result example_result() {
   return r;
 }
 
-/// Parts without pictures and with an empty drawing per garment.
+/// Parts without pictures and with an empty sketch per garment.
 inline PageParts bare_parts(const Result& result) {
   PageParts parts;
   parts.evaluations.resize(result.garments.size());
-  parts.drawings.assign(result.garments.size(), "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>");
+  parts.sketches.assign(result.garments.size(), "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>");
   return parts;
 }
 

@@ -31,6 +31,14 @@ TEST(Text, SignificantDigitsCountFromTheFirstThatIsNotZero) {
   EXPECT_DOUBLE_EQ(rounded_significant(0.001234567, 4), 0.001235);
 }
 
+TEST(Text, ShortNumbersHaveNoDigitsThatSayNothing) {
+  EXPECT_EQ(short_text(5.0), "5");
+  EXPECT_EQ(short_text(-1.5), "-1.5");
+  EXPECT_EQ(short_text(0.97), "0.97");
+  EXPECT_EQ(short_text(0.0), "0");
+  EXPECT_EQ(short_text(1.23456), "1.235");
+}
+
 TEST(Text, CountsAreGroupedByThree) {
   EXPECT_EQ(count_text(7), "7");
   EXPECT_EQ(count_text(999), "999");
