@@ -15,6 +15,21 @@ namespace {
 
 constexpr std::size_t kMostGarments = 8;
 
+bool hangs_from_waist(const GarmentTemplate& garment) {
+  constexpr double kAnyEdge = 0.1;  // m, of triangles that nobody looks at
+  const std::vector<std::string> limbs =
+      make_pattern(garment, garment.typical(), kAnyEdge).panel_limbs;
+  return std::all_of(limbs.begin(), limbs.end(), [](const auto& limb) { return limb == "torso"; });
+}
+
+/// Per garment: does another one follow that hangs from the waist?
+std::vector<bool> followed_below(const std::vector<GarmentTemplate>& templates) {
+  std::vector<bool> out(templates.size(), false);
+  for (std::size_t g = templates.size(); g-- > 1;)
+    out[g - 1] = out[g] || hangs_from_waist(templates[g]);
+  return out;
+}
+
 }  // namespace
 
 std::string method_name(Method method) {
@@ -82,6 +97,7 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
       scan.mesh.is_cloud() ? kCloudSpacing * scan.facts.spacing : options.sample_spacing;
   Stage stage{options, sample_surface(scan.mesh, spacing, scan.outlier)};
   stage.taken.assign(stage.samples.size(), 0);
+  stage.another_below = followed_below(templates);
   progress.report("place", 0.3);
   stage.body = find_body(stage.samples, scan.facts.height);
   apply_landmarks(options.placement, stage.body);

@@ -69,6 +69,20 @@ std::map<std::string, HiddenEdge> hidden_edges(const GarmentEdges& edges, const 
   return out;
 }
 
+std::optional<ProbableLength> probable_length(const ObservedLength& path,
+                                              const std::map<std::string, HiddenEdge>& hidden) {
+  if (path.seen || path.value <= 0 || path.observation->kind != Observation::Kind::Path) return {};
+  ProbableLength out{path.value, 0};
+  for (const std::string& end : {path.observation->edge, path.observation->to_edge}) {
+    const auto edge = hidden.find(end);
+    if (edge == hidden.end()) continue;
+    out.value += edge->second.beyond;
+    out.standard_deviation = std::hypot(out.standard_deviation, edge->second.standard_deviation);
+  }
+  if (out.standard_deviation <= 0) return {};
+  return out;
+}
+
 std::map<std::string, HiddenDimension> hidden_dimensions(
     const std::map<std::string, HiddenEdge>& hidden, const std::vector<ObservedLength>& observed,
     const Dimensions& dimensions) {
@@ -83,7 +97,8 @@ std::map<std::string, HiddenDimension> hidden_dimensions(
       d.least = std::max(d.least, o.value);
       switch (o.observation->kind) {
         case Observation::Kind::Path:
-          d.standard_deviation = edge->second.standard_deviation;
+          if (const auto length = probable_length(o, hidden))
+            d.value = length->value, d.standard_deviation = length->standard_deviation;
           break;
         case Observation::Kind::GirthAtOffset:
           if (!o.observation->side.empty()) break;

@@ -31,25 +31,16 @@ constexpr double kLeastBorderError = 0.003, kMostBorderError = 0.02;
 std::string share_text(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 /// What was measured on the scan holds the fit where folds could be taken for more cloth.
-std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed) {
+std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed,
+                                       const std::map<std::string, HiddenEdge>& hidden) {
   std::vector<MeasuredLength> out;
-  for (const ObservedLength& o : observed)
+  for (const ObservedLength& o : observed) {
     if (o.seen)
       out.push_back({o.observation->equals, o.value, kLengthTrust * o.standard_deviation});
-  return out;
-}
-
-/// A path that ends under another garment: what shows of it and what is probably hidden.
-void add_hidden_length(const ObservedLength& o, const std::map<std::string, HiddenEdge>& hidden,
-                       Dimensions& dimensions) {
-  const auto dimension = dimensions.find(o.observation->equals);
-  if (o.seen || o.value <= 0 || dimension == dimensions.end()) return;
-  double length = o.value;
-  for (const std::string& end : {o.observation->edge, o.observation->to_edge}) {
-    const auto edge = hidden.find(end);
-    if (edge != hidden.end()) length += edge->second.beyond;
+    else if (const auto length = probable_length(o, hidden))
+      out.push_back({o.observation->equals, length->value, length->standard_deviation});
   }
-  dimension->second = length;
+  return out;
 }
 
 /// Dimensions to start from, and the garment laid on the scan at these.
@@ -57,7 +48,10 @@ void start(const GarmentTemplate& garment, const SeenGarment& seen, const Stage&
            const std::map<std::string, SolvedDimension>& solved,
            const std::map<std::string, HiddenEdge>& hidden, GarmentAnalysis& out) {
   for (const Dimension& d : garment.dimensions()) out.dimensions[d.name] = solved.at(d.name).value;
-  for (const ObservedLength& o : seen.observed) add_hidden_length(o, hidden, out.dimensions);
+  for (const ObservedLength& o : seen.observed)
+    if (const auto length = probable_length(o, hidden);
+        length && out.dimensions.count(o.observation->equals) != 0)
+      out.dimensions[o.observation->equals] = length->value;
   out.dimensions = nearest_holding(garment, out.dimensions, fixed_of(stage.options, garment));
   move_pattern(garment, out.dimensions, out.pattern);
   out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
@@ -124,7 +118,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   JointTarget target = joint_target(stage.samples, seen.cloth, seen.edges, hidden);
   target.outer = stage.outer;
   JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped, target,
-                           lengths_of(seen.observed), options, progress);
+                           lengths_of(seen.observed, hidden), options, progress);
   if (fit.matched < kLeastMatched)
     throw NoGarmentError(
         "no " + garment.name() + " on this scan: only " + share_text(fit.matched) +

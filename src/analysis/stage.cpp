@@ -39,7 +39,8 @@ GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentT
                       int layer) {
   return find_garment_edges(stage.samples, stage.body, pattern, garment.name(),
                             layer > 1 ? stage.taken : std::vector<std::uint8_t>{},
-                            said_of(stage.options.placement, garment.name()));
+                            said_of(stage.options.placement, garment.name()),
+                            stage.another_below.at(static_cast<std::size_t>(layer - 1)));
 }
 
 std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region) {

@@ -23,6 +23,8 @@ struct Stage {
   Body body = {};
   std::vector<BodyPart> parts = {};      // per vertex
   std::vector<std::uint8_t> taken = {};  // per sample: belongs to a garment found before
+  // Per garment asked for: another one follows that hangs from the waist as well.
+  std::vector<bool> another_below = {};
   std::vector<OuterGarment> outer = {};  // found before and draped, outermost first
   Labels labels = {};
   std::vector<std::uint8_t> cap = {};  // per triangle; empty for a cloud

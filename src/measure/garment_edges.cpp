@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "measure/covered_edge.h"
 #include "measure/judge_edges.h"
 #include "measure/rim.h"
 
@@ -36,6 +37,8 @@ constexpr double kSureness = 12;  // a rival with less evidence is exp(-12 times
 constexpr double kLeastWeight = 0.05;  // of that of the best: less probable ones are not said
 constexpr double kArmLead = 0.12;      // m of the shoulder before the armpit
 constexpr double kCuffStray = 0.015, kCuffTilt = 0.05;  // m, a cuff is cut straight
+// The lowest hem drops to the legs, those above it step down to other cloth.
+constexpr double kUpperShare = 0.3;
 constexpr double kRivalShare = 0.7;  // of the best edge's score that makes another edge a rival
 
 std::vector<int> trunk_members(const Body& body, const std::vector<std::uint8_t>& taken,
@@ -81,11 +84,12 @@ bool at_bottom(const Pattern& pattern, const PatternEdge& edge) {
   return mean > 0.5 * (low + high);
 }
 
-/// The best edge in a range, or a rival nearly as good that lies beyond it in the direction
-/// preferred.
-FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_higher) {
+/// The best edge in a range, or a rival that lies beyond it in the direction preferred and has at
+/// least `share` of its score.
+FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_higher,
+                           double share = kRivalShare) {
   FoundEdge best = find_edge(map, search);
-  const double wanted = kRivalShare * best.score;
+  const double wanted = share * best.score;
   FoundEdge found = best;
   for (int round = 0; round < 3 && found.found(); ++round) {
     EdgeSearch beyond = search;
@@ -100,21 +104,6 @@ FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_hi
     found = rival;
   }
   return found;
-}
-
-/// Share of columns in which the other side of the edge was taken by an outer garment.
-double covered_share(const LimbView& view, const LimbMap& taken, const GarmentEdge& edge) {
-  int covered = 0;
-  for (int j = 0; j < view.map.columns; ++j) {
-    const int row = static_cast<int>(std::lround(view.map.row_of(edge.found.s[j])));
-    for (int k = 0; k < 8; ++k) {
-      const int i = edge.garment_above ? row - k : row + 1 + k;
-      if (i < 0 || i >= view.map.rows || !taken.has(i, j)) continue;
-      ++covered;
-      break;
-    }
-  }
-  return static_cast<double>(covered) / view.map.columns;
 }
 
 /// Cells of a height field hold a sample or two: thin scans get larger ones.
@@ -163,6 +152,7 @@ struct Finder {
   const Pattern& pattern;
   const std::vector<std::uint8_t>& taken;
   const std::map<std::string, double>& said;
+  bool another_below;
   Resolution fine;
   GarmentEdges out;
   std::vector<Cuff> cuffs = {};
@@ -244,7 +234,8 @@ void Finder::find_on_torso(const PatternEdge& edge) {
     found.found = find_with_rivals(view.map, search, true);
   } else {
     search.s_low = 0.05 * body.height, search.s_high = 0.5 * body.height;
-    found.found = find_with_rivals(view.map, search, false);
+    found.found = another_below ? find_with_rivals(view.map, search, true, kUpperShare)
+                                : find_with_rivals(view.map, search, false);
   }
   if (found.found.found() && found.garment_above)
     trim_rim(samples, view, found.garment_above, found.found);
@@ -252,7 +243,7 @@ void Finder::find_on_torso(const PatternEdge& edge) {
     const LimbMap hidden =
         make_limb_map(samples, trunk_members(body, taken, true), view.axis, 0.0, body.neck,
                       fine.step(kTrunkStep), fine.columns(kTrunkColumns), kFacing);
-    found.covered = covered_share(view, hidden, found) > 0.5;
+    cut_off_where_covered(view, hidden, found);
   }
   out.edges.emplace(edge.name, std::move(found));
 }
@@ -358,8 +349,8 @@ bool beside_torso(const LimbView& torso, const Vec3& p) {
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
                                 const std::vector<std::uint8_t>& taken,
-                                const std::map<std::string, double>& said) {
-  Finder finder{samples, body, pattern, taken, said, Resolution(samples), {}};
+                                const std::map<std::string, double>& said, bool another_below) {
+  Finder finder{samples, body, pattern, taken, said, another_below, Resolution(samples), {}};
   finder.add_limbs();
   for (const PatternEdge& edge : pattern.edges) {
     if (edge.limb == "torso")

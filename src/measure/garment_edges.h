@@ -40,12 +40,14 @@ bool beside_torso(const LimbView& torso, const Vec3& p);
 /// found before (one per sample, or empty): they are not looked at, and an edge that ends at them
 /// is covered. `pattern` is the garment at any dimensions: it tells which edges there are. `said`:
 /// heights above the floor (m) of edges round the trunk that a person gave: such an edge is looked
-/// for within 3 cm of its height and taken from there in any case.
+/// for within 3 cm of its height and taken from there in any case. `another_below`: a garment that
+/// is looked for later shows below this one, so that of two hems the higher is this one's.
 /// Throws NoGarmentError with the evidence when the edges the garment cannot do without are
 /// missing.
 GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const Pattern& pattern, const std::string& title,
                                 const std::vector<std::uint8_t>& taken,
-                                const std::map<std::string, double>& said = {});
+                                const std::map<std::string, double>& said = {},
+                                bool another_below = false);
 
 }  // namespace regarment

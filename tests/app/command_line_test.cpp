@@ -73,6 +73,8 @@ TEST(CommandLine, ReadsWhatAnnealingCanBeTold) {
                                                  "closest",
                                                  "--normal-angle",
                                                  "45",
+                                                 "--layer-attenuation",
+                                                 "0.3",
                                                  "--drape-from",
                                                  "last",
                                                  "--collisions",
@@ -89,6 +91,7 @@ TEST(CommandLine, ReadsWhatAnnealingCanBeTold) {
   EXPECT_EQ(a.segment_distance_mm, 7.5);
   EXPECT_EQ(a.attraction, "closest");
   EXPECT_EQ(a.normal_angle_deg, 45);
+  EXPECT_EQ(a.layer_attenuation, 0.3);
   EXPECT_EQ(a.drape_from, "last");
   EXPECT_TRUE(a.collisions);
   EXPECT_FALSE(a.cap_detection || a.border_rejection || a.held_edges);
@@ -117,10 +120,16 @@ TEST(CommandLine, EachSwitchOfAnnealingMovesOneThing) {
 }
 
 TEST(CommandLine, RefusesNumbersThatAnnealingCannotUse) {
-  const std::vector<std::pair<const char*, const char*>> bad = {
-      {"--runs", "0"},          {"--runs", "101"},           {"--evaluations", "19"},
-      {"--normal-angle", "0"},  {"--normal-angle", "181"},   {"--segment-distance", "-1"},
-      {"--drape-from", "here"}, {"--attraction", "sideways"}};
+  const std::vector<std::pair<const char*, const char*>> bad = {{"--runs", "0"},
+                                                                {"--runs", "101"},
+                                                                {"--evaluations", "19"},
+                                                                {"--normal-angle", "0"},
+                                                                {"--normal-angle", "181"},
+                                                                {"--segment-distance", "-1"},
+                                                                {"--drape-from", "here"},
+                                                                {"--attraction", "sideways"},
+                                                                {"--layer-attenuation", "1.1"},
+                                                                {"--layer-attenuation", "nan"}};
   for (const auto& [option, value] : bad)
     EXPECT_THROW(parse({"fit", "a", "--garment", "g", "--out", "o", option, value}), UsageError)
         << option << " " << value;
