@@ -13,7 +13,7 @@ struct Look {
   const char* caption;
 };
 
-constexpr std::array<Look, 5> kLooks = {{
+constexpr std::array<Look, 6> kLooks = {{
     {"scan", "Scan", "The scan as it was read."},
     {"segmentation", "Segmentation", "Each vertex in the colour of its label; grey is the person."},
     {"placement", "Placement", "Where the garment starts, before it is laid on the scan."},
@@ -21,6 +21,9 @@ constexpr std::array<Look, 5> kLooks = {{
     {"deviation", "Deviation",
      "How far the scan lies from the garment: red-brown where it is outside of the garment, blue "
      "where it is inside. Grey is what is not this garment's."},
+    {"filled", "Holes closed",
+     "The segmentation with the scan's holes under garments closed by the garment found; the part "
+     "that was added has a colour of its own. It is in filled.ply."},
 }};
 
 std::string media_type(const std::string& file, std::string_view bytes) {

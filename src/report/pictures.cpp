@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "render/render_figures.h"
+#include "report/close_holes.h"
 #include "report/deviation.h"
 
 namespace regarment {
@@ -31,6 +32,26 @@ Scene scene_of(const Analysis& analysis, const std::vector<float>& deviation) {
         {garment.pattern.triangles, garment.placed, garment.draped, garment.layer});
   }
   return scene;
+}
+
+// What was added has a colour of its own, as a garment more would have.
+std::vector<Figure> draw_filled(const Analysis& analysis, const FilledScan& filled,
+                                const FigureOptions& options) {
+  const std::size_t garments = analysis.garments.size();
+  std::vector<std::uint8_t> labels = analysis.labels;
+  labels.resize(filled.filled.size(), static_cast<std::uint8_t>(garments + 1));
+  std::vector<std::uint8_t> outlier = analysis.scan.outlier;
+  if (!outlier.empty()) outlier.resize(filled.filled.size(), 0);
+  Scene scene{.scan = filled.mesh,
+              .labels = labels,
+              .values = {},
+              .cap = {},
+              .outlier = outlier,
+              .garments = {}};
+  for (std::size_t g = 0; g <= garments; ++g)
+    scene.garments.push_back({{}, {}, {}, static_cast<int>(g + 1)});
+  const std::array<Look, 1> looks = {Look::Segmentation};
+  return render_figures(scene, looks, options);
 }
 
 std::string encoded(const Image& image) {
@@ -69,7 +90,8 @@ std::vector<std::string> encode_all(const std::vector<Figure>& figures, int thre
 
 }  // namespace
 
-Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& progress) {
+Pictures draw_pictures(const Analysis& analysis, const FilledScan& filled, int threads,
+                       const Progress& progress) {
   progress.report("draw", 0.0);
   FigureOptions options;
   options.framing.width = kWidth;
@@ -80,12 +102,17 @@ Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& pr
     looks.push_back(Look::Deviation);
     options.scale = symmetric_scale(deviation_range(deviation));
   }
-  const std::vector<Figure> figures = render_figures(scene_of(analysis, deviation), looks, options);
+  std::vector<Figure> figures = render_figures(scene_of(analysis, deviation), looks, options);
+  const std::size_t of_scan = figures.size();
+  if (count_filled(filled) > 0)
+    for (Figure& figure : draw_filled(analysis, filled, options))
+      figures.push_back(std::move(figure));
   progress.report("draw", 0.5);
   std::vector<std::string> bytes = encode_all(figures, threads);
   Pictures out;
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const std::string kind(look_name(figures[i].look)), side(view_name(figures[i].view));
+    const std::string kind(i < of_scan ? look_name(figures[i].look) : "filled");
+    const std::string side(view_name(figures[i].view));
     std::string file = "pictures/";
     file.append(kind).append("-").append(side).append(".jpg");
     out.figures.push_back({kind, side, file, figures[i].image.width, figures[i].image.height});

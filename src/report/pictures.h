@@ -6,6 +6,7 @@
 
 #include "analysis/analysis.h"
 #include "base/progress.h"
+#include "fill/fill_scan.h"
 #include "report/result.h"
 
 namespace regarment {
@@ -16,10 +17,12 @@ struct Pictures {
   std::map<std::string, std::string> bytes;
 };
 
-/// Draws the scan, its segmentation, the placement, the garments on the scan and, where a method
-/// tells it, how far the scan lies from them, each from four sides at one scale, so that pictures
-/// of one side lie exactly over each other. At most 900 KB in all. The same bytes for any number of
-/// `threads` (>= 1). Reports progress as the stage "draw".
-Pictures draw_pictures(const Analysis& analysis, int threads, const Progress& progress);
+/// Draws the scan, its segmentation, the placement, the garments on the scan, where a method tells
+/// it how far the scan lies from them, and where holes were closed (`filled`) what closes them,
+/// each from four sides at one scale, so that pictures of one side lie exactly over each other. At
+/// most 900 KB in all. The same bytes for any number of `threads` (>= 1). Reports progress as the
+/// stage "draw".
+Pictures draw_pictures(const Analysis& analysis, const FilledScan& filled, int threads,
+                       const Progress& progress);
 
 }  // namespace regarment

@@ -5,6 +5,7 @@
 #include "garment/pattern_svg.h"
 #include "geometry/ply_writer.h"
 #include "render/heat_map.h"
+#include "report/close_holes.h"
 #include "report/evaluations_csv.h"
 #include "report/files.h"
 #include "report/measurements_csv.h"
@@ -50,6 +51,13 @@ std::string segmented_ply(const Analysis& analysis) {
   return ply.bytes();
 }
 
+std::string filled_ply(const Scan& scan, const FilledScan& filled) {
+  PlyWriter ply(filled.mesh.positions.size());
+  ply.positions(in_file(scan, filled.mesh.positions)).column("filled", filled.filled);
+  if (!filled.mesh.is_cloud()) ply.triangles(filled.mesh.triangles);
+  return ply.bytes();
+}
+
 std::string garment_ply(const Analysis& analysis, const GarmentAnalysis& garment) {
   return PlyWriter(garment.draped.size())
       .positions(in_file(analysis.scan, garment.draped))
@@ -90,7 +98,8 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
 }  // namespace
 
 ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
-                         const ReportOptions& options, const Pictures& pictures) {
+                         const ReportOptions& options, const FilledScan& filled,
+                         const Pictures& pictures) {
   Result result = make_result(analysis, templates, options);
   result.figures = pictures.figures;
   ReportFiles files(pictures.bytes.begin(), pictures.bytes.end());
@@ -109,6 +118,7 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
   if (!options.state.empty()) files["state.bin"] = options.state;
   files["labels.u8"] = labels_file(analysis.labels);
   files["segmented.ply"] = segmented_ply(analysis);
+  files["filled.ply"] = filled_ply(analysis.scan, filled);
   files["measurements.csv"] = measurements_csv(result);
   files["result.json"] = result_json(result);
   // By way of the file, as `regarment report` does: the page cannot know more than the file.
@@ -120,9 +130,10 @@ std::string write_report_folder(const Analysis& analysis,
                                 const std::vector<GarmentTemplate>& templates,
                                 const ReportOptions& options, const std::filesystem::path& place,
                                 bool replace, const Progress& progress) {
-  const Pictures pictures = draw_pictures(analysis, options.threads, progress);
+  const FilledScan filled = close_holes(analysis);
+  const Pictures pictures = draw_pictures(analysis, filled, options.threads, progress);
   progress.report("write", 0.0);
-  const ReportFiles files = report_files(analysis, templates, options, pictures);
+  const ReportFiles files = report_files(analysis, templates, options, filled, pictures);
   write_all(files, place, replace, progress);
   progress.report("write", 1.0);
   return files.at("result.json");

@@ -7,6 +7,7 @@
 
 #include "analysis/analysis.h"
 #include "base/progress.h"
+#include "fill/fill_scan.h"
 #include "report/pictures.h"
 #include "report/result.h"
 
@@ -16,11 +17,13 @@ namespace regarment {
 using ReportFiles = std::map<std::string, std::string>;
 
 /// All files of an analysis: report.html, result.json, measurements.csv, labels.u8, segmented.ply,
-/// pictures/... (sketch-I.svg too), state.bin where the options hold one, and per garment I
-/// garment-I.ply, pattern-I.json, pattern-I.svg and, when it was searched for, evaluations-I.csv.
-/// `templates` are those of the garments, in their order. Depends on its arguments alone.
+/// filled.ply, pictures/... (sketch-I.svg too), state.bin where the options hold one, and per
+/// garment I garment-I.ply, pattern-I.json, pattern-I.svg and, when it was searched for,
+/// evaluations-I.csv. `templates` are those of the garments, in their order; `filled` is as
+/// close_holes gives it. Depends on its arguments alone.
 ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
-                         const ReportOptions& options, const Pictures& pictures);
+                         const ReportOptions& options, const FilledScan& filled,
+                         const Pictures& pictures);
 
 /// Draws the pictures, makes the files and puts them into the folder `place`, which appears whole
 /// or not at all (OutputFolder says where it may stand and what is thrown). Returns the text of

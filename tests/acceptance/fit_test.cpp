@@ -44,7 +44,7 @@ TEST(Fit, WritesTheResultAndSaysWhereTheReportIs) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, (out / "report.html").string() + "\n");
   for (const char* name :
-       {"report.html", "result.json", "labels.u8", "segmented.ply", "garment-1.ply",
+       {"report.html", "result.json", "labels.u8", "segmented.ply", "filled.ply", "garment-1.ply",
         "pattern-1.json", "pattern-1.svg", "measurements.csv"}) {
     EXPECT_TRUE(fs::is_regular_file(out / name)) << name;
   }

@@ -55,7 +55,7 @@ TEST_F(Refit, WithoutChangesGivesTheSameResult) {
   EXPECT_EQ(second.at("program").at("refit"), true);
   second.at("program").erase("refit");
   EXPECT_EQ(first, second);
-  for (const char* name : {"labels.u8", "segmented.ply", "garment-1.ply", "state.bin",
+  for (const char* name : {"labels.u8", "segmented.ply", "filled.ply", "garment-1.ply", "state.bin",
                            "measurements.csv", "pictures/scan-front.jpg"})
     EXPECT_EQ(bytes_of(first_ / name), bytes_of(second_ / name)) << name;
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/mesh_io.h"
+#include "report/close_holes.h"
 #include "report/evaluations_csv.h"
 #include "report/files.h"
 #include "searches.h"
@@ -20,7 +21,9 @@ class ReportFolder : public testing::Test {
  protected:
   ReportFolder() { options_.timing = false; }
 
-  ReportFiles files() const { return report_files(analysis_, {skirt_}, options_, Pictures{}); }
+  ReportFiles files() const {
+    return report_files(analysis_, {skirt_}, options_, close_holes(analysis_), Pictures{});
+  }
 
   GarmentTemplate skirt_ = find_template("skirt");
   Analysis analysis_ = column_analysis(skirt_);
@@ -35,10 +38,10 @@ TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
   const ReportFiles made = files();
   std::vector<std::string> names;
   for (const auto& [name, bytes] : made) names.push_back(name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"garment-1.ply", "labels.u8", "measurements.csv",
-                                      "pattern-1.json", "pattern-1.svg", "pictures/sketch-1.svg",
-                                      "report.html", "result.json", "segmented.ply"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"filled.ply", "garment-1.ply", "labels.u8",
+                                             "measurements.csv", "pattern-1.json", "pattern-1.svg",
+                                             "pictures/sketch-1.svg", "report.html", "result.json",
+                                             "segmented.ply"}));
 }
 
 TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {
@@ -106,8 +109,8 @@ TEST_F(ReportFolder, ContradictionsAreOurOwnMistake) {
 }
 
 TEST_F(ReportFolder, DrawnTwiceItHasTheSameBytesWhateverTheThreads) {
-  const Pictures one = draw_pictures(analysis_, 1, {});
-  const Pictures two = draw_pictures(analysis_, 2, {});
+  const Pictures one = draw_pictures(analysis_, {}, 1, {});
+  const Pictures two = draw_pictures(analysis_, {}, 2, {});
   EXPECT_EQ(one.bytes, two.bytes);
   EXPECT_EQ(one.figures.size(), 16u);
   const std::size_t total =
@@ -146,12 +149,13 @@ TEST_F(SearchedFolder, HoldsItsEvaluationsToo) {
 }
 
 TEST_F(SearchedFolder, ShowsTheDeviationOfItsGarments) {
-  const Pictures pictures = draw_pictures(analysis_, 2, {});
+  const Pictures pictures = draw_pictures(analysis_, {}, 2, {});
   ASSERT_EQ(pictures.figures.size(), 20u);
   EXPECT_EQ(pictures.figures.back().kind, "deviation");
   EXPECT_NE(pictures.bytes.at("pictures/deviation-front.jpg"),
             pictures.bytes.at("pictures/segmentation-front.jpg"));
-  const std::string page = report_files(analysis_, {skirt_}, options_, pictures).at("report.html");
+  const std::string page =
+      report_files(analysis_, {skirt_}, options_, {}, pictures).at("report.html");
   EXPECT_NE(page.find("id=\"look-deviation\""), std::string::npos);
   EXPECT_NE(page.find("class=\"legend\""), std::string::npos);
 }
