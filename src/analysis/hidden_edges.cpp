@@ -13,8 +13,9 @@ constexpr double kTopEdge = 0.60, kTopEdgeSpread = 0.028;
 constexpr double kLeastHidden = 0.02;  // m, less would show where the outer hem waves
 // m: a shirt that is tucked in comes out again when it is shorter, and is in the way when longer.
 constexpr double kTucked = 0.12, kTuckedSpread = 0.05;
-// Top edges of 127 made skirts as shares of their hips: mean and deviation.
-constexpr double kTopShare = 0.73, kTopShareSpread = 0.08;
+// Of the girth below it, how far a top edge is from what is typical: a deviation that both size
+// charts and made skirts stay within.
+constexpr double kTopShareSpread = 0.08;
 constexpr double kLeastRun = 0.05;  // m, cloth over which a taper is told
 
 /// Mean and deviation of a normal variable that is known to be larger than `least`.
@@ -85,7 +86,7 @@ std::optional<ProbableLength> probable_length(const ObservedLength& path,
 
 std::map<std::string, HiddenDimension> hidden_dimensions(
     const std::map<std::string, HiddenEdge>& hidden, const std::vector<ObservedLength>& observed,
-    const Dimensions& dimensions) {
+    const Dimensions& dimensions, const Dimensions& typical) {
   std::map<std::string, HiddenDimension> out;
   for (const ObservedLength& o : observed) {
     const auto dimension = dimensions.find(o.observation->equals);
@@ -107,9 +108,12 @@ std::map<std::string, HiddenDimension> hidden_dimensions(
                                  taper(*o.observation, dimension->second, observed, dimensions);
           break;
         case Observation::Kind::Girth: {
-          const double hoop = given_by(observed, Observation::Kind::GirthAtOffset, end, dimensions);
-          if (hoop <= 0) break;
-          d.value = kTopShare * hoop, d.standard_deviation = kTopShareSpread * hoop;
+          const auto hoop = Observation::Kind::GirthAtOffset;
+          const double found = given_by(observed, hoop, end, dimensions);
+          const double usual = given_by(observed, hoop, end, typical);
+          if (found <= 0 || usual <= 0) break;
+          d.value = typical.at(dimension->first) / usual * found;
+          d.standard_deviation = kTopShareSpread * found;
           break;
         }
         case Observation::Kind::Fork:

@@ -41,9 +41,9 @@ struct HiddenDimension {
 };
 
 /// One entry per dimension that an observation with a hidden edge gives. `dimensions`: what
-/// the garment was found to have, m.
+/// the garment was found to have, m; `typical`: what garments of its kind have.
 std::map<std::string, HiddenDimension> hidden_dimensions(
     const std::map<std::string, HiddenEdge>& hidden, const std::vector<ObservedLength>& observed,
-    const Dimensions& dimensions);
+    const Dimensions& dimensions, const Dimensions& typical);
 
 }  // namespace regarment

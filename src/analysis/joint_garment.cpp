@@ -136,7 +136,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
-  const auto covered = hidden_dimensions(hidden, seen.observed, out.dimensions);
+  const auto covered = hidden_dimensions(hidden, seen.observed, out.dimensions, garment.typical());
   for (const Dimension& d : garment.dimensions()) {
     const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);

@@ -18,7 +18,9 @@ namespace {
 constexpr std::size_t kMostPoints = 500'000;  // looked at one by one; of larger clouds a part
 constexpr std::size_t kPlaces = 2000;         // where noise is measured
 constexpr double kLonely = 4.0;               // times the usual gap: a point on no surface
-constexpr double kMeshPixel = 1.3;            // of the sample's spacing
+constexpr double kScattered = 2.5;            // the same where neighbours lie on no plane either
+constexpr double kOffPlane = 0.25;  // of the gap: neighbours on a surface lie nearer to its plane
+constexpr double kMeshPixel = 1.3;  // of the sample's spacing
 
 /// The points a cloud is judged by, neighbours in space near in the list. Which they are and their
 /// order depends on where they are alone.
@@ -95,16 +97,30 @@ void measure_sampling(const Chosen& chosen, const PointTree& tree, ScanFacts& fa
   facts.noise = quality.noise;
 }
 
+/// Do the nearest points of a point scatter in depth as much as about it? Sparsely seen surface is
+/// still a surface, many stray points together are none.
+bool scattered(std::span<const Vec3> points, const LocalSurface& surface, std::size_t i) {
+  double sum = 0;
+  for (const std::uint32_t other : surface.nearest[i]) {
+    const double off = surface.normals[i].dot(points[other] - points[i]);
+    sum += off * off;
+  }
+  const double allowed = kOffPlane * static_cast<double>(surface.gap[i]);
+  return sum > static_cast<double>(LocalSurface::kKept) * allowed * allowed;
+}
+
 /// Points whose neighbours are far, seen both over the whole cloud and from where those neighbours
-/// are.
-std::vector<std::uint8_t> lonely(const LocalSurface& surface) {
+/// are, or so far that they do not make a surface.
+std::vector<std::uint8_t> lonely(std::span<const Vec3> points, const LocalSurface& surface) {
   std::vector<float> gaps = surface.gap;
   std::nth_element(gaps.begin(), gaps.begin() + std::ssize(gaps) / 2, gaps.end());
   const double usual = static_cast<double>(gaps[gaps.size() / 2]);
   std::vector<std::uint8_t> flags(surface.gap.size(), 0);
   for (std::size_t i = 0; i < flags.size(); ++i) {
     const double gap = static_cast<double>(surface.gap[i]);
-    if (gap <= kLonely * usual) continue;
+    if (gap <= kScattered * usual) continue;
+    flags[i] = scattered(points, surface, i) ? 1 : 0;
+    if (flags[i] != 0 || gap <= kLonely * usual) continue;
     std::array<float, LocalSurface::kKept> near{};
     for (std::size_t n = 0; n < near.size(); ++n) near[n] = surface.gap[surface.nearest[i][n]];
     std::nth_element(near.begin(), near.begin() + near.size() / 2, near.end());
@@ -151,7 +167,7 @@ Finished finish_cloud(const RawSurface& raw, Scan& scan) {
   measure_sampling(chosen, tree, scan.facts);
   LocalSurface surface = local_surface(chosen.points, tree);
   orient_outward(chosen.points, scan.facts.spacing / std::sqrt(chosen.share), surface);
-  const std::vector<std::uint8_t> flags = lonely(surface);
+  const std::vector<std::uint8_t> flags = lonely(chosen.points, surface);
   Finished finished{std::vector<Vec3>(raw.welded.positions.size(), Vec3::Zero()), raw.stray};
   for (std::size_t i = 0; i < chosen.index.size(); ++i) {
     finished.normals[chosen.index[i]] = surface.normals[i];

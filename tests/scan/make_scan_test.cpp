@@ -8,6 +8,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "geometry/point_tree.h"
 #include "scan/cone_person.h"
 
 namespace regarment {
@@ -221,6 +222,29 @@ TEST(MakeScan, SeesPastScatteredPoints) {
   EXPECT_GE(found, 297u);
   EXPECT_LE(wrong, real / 500);
   EXPECT_EQ(scan.facts.outliers, found + wrong);
+}
+
+// So many that each has others about as near as it is far from them.
+TEST(MakeScan, SeesPastCrowdsOfScatteredPoints) {
+  Mesh mesh = cloud_of(made_cloud({}, 60000, 0.0005));
+  mesh.normals.clear();
+  const std::size_t real = mesh.positions.size();
+  const PointTree body(mesh.positions);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(-0.4, 0.4);
+  while (mesh.positions.size() < real + 6000) {
+    const Vec3 p(uniform(random), 1 + uniform(random), uniform(random));
+    PointNeighbour nearest;
+    body.nearest(p, {&nearest, 1});
+    if (nearest.squared_distance > 0.03 * 0.03) mesh.positions.push_back(p);
+  }
+  const Scan scan = make_scan(mesh);
+  std::size_t found = 0, wrong = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    (v < real ? wrong : found) += scan.outlier[v];
+  }
+  EXPECT_GE(found, 5100u);
+  EXPECT_LE(wrong, real / 500);
 }
 
 }  // namespace
