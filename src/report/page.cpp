@@ -6,15 +6,16 @@
 #include "report/content_policy.h"
 #include "report/embedded.h"
 #include "report/page_parts.h"
+#include "report/view3d.h"
 
 namespace regarment {
 namespace {
 
 // Each has a template of its own, filled with the gaps of the whole page.
-constexpr std::array kSections = {"verdict",  "garments", "pictures",
+constexpr std::array kSections = {"verdict",  "garments", "pictures", "view",
                                   "searches", "scan",     "settings"};
 constexpr std::array kStyles = {"report.css", "report_pictures.css", "report_media.css"};
-constexpr std::array kScripts = {"compare.js"};
+constexpr std::array kScripts = {"compare.js", "view3d_gl.js", "view3d.js"};
 
 std::string joined(const auto& names) {
   std::string out;
@@ -37,6 +38,8 @@ std::string report_page(const Result& result, const PageParts& parts) {
   }
   page.set("garments", std::move(garments));
   show_figures(result, parts, page);
+  check_view(parts.view);
+  page.set_maybe("view", parts.view);
   show_searches(result, parts, page);
   show_scan(result, page);
   show_labels(result, page);

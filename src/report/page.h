@@ -13,6 +13,7 @@ struct PageParts {
   std::map<std::string, std::string>
       pictures;                       // StoredFigure::file -> bytes of a WebP, JPEG or PNG
   std::vector<std::string> sketches;  // one SVG per garment, letters beside its arrows
+  std::string view;                   // of view_json; empty: nothing to turn
   std::vector<std::string>
       evaluations;  // one evaluations-I.csv per garment, empty where nothing was searched
 };

@@ -11,6 +11,7 @@
 #include "report/measurements_csv.h"
 #include "report/output_folder.h"
 #include "report/page.h"
+#include "report/view3d.h"
 
 namespace regarment {
 namespace {
@@ -85,6 +86,8 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
   for (const StoredFigure& figure : result.figures) {
     parts.pictures[figure.file] = read_file(folder / figure.file, kMostPicture);
   }
+  const std::filesystem::path view = folder / "pictures/view.json";
+  if (std::filesystem::exists(view)) parts.view = read_file(view, kMostPicture);
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
     parts.sketches.push_back(
         read_file(folder / numbered("pictures/sketch", i, ".svg"), kMostPicture));
@@ -103,7 +106,8 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
   Result result = make_result(analysis, templates, options);
   result.figures = pictures.figures;
   ReportFiles files(pictures.bytes.begin(), pictures.bytes.end());
-  PageParts parts{pictures.bytes, {}, {}};
+  PageParts parts{pictures.bytes, {}, view_json(analysis), {}};
+  if (!parts.view.empty()) files["pictures/view.json"] = parts.view;
   for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
     const GarmentAnalysis& garment = analysis.garments[i];
     parts.sketches.push_back(

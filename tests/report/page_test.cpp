@@ -193,6 +193,18 @@ TEST(Page, ShowsSketchesAsPicturesThatCannotRun) {
   EXPECT_THROW(report_page(result, parts), ReadError);
 }
 
+TEST(Page, HoldsTheDataOfTheViewOnlyWhenItIsWhatFitWrites) {
+  const Result result = example_result();
+  PageParts parts = bare_parts(result);
+  EXPECT_EQ(count(report_page(result, parts), "id=\"view-data\""), 0u);
+  parts.view = "{\"low\":[0,0,0]}";
+  EXPECT_EQ(count(report_page(result, parts),
+                  "<script type=\"application/json\" id=\"view-data\">{\"low\":[0,0,0]}</script>"),
+            1u);
+  parts.view = "\"</script>\"";
+  EXPECT_THROW(report_page(result, parts), ReadError);
+}
+
 TEST(Page, IsTheSameForTheSameResult) {
   const Result result = example_result();
   EXPECT_EQ(page_of(result), page_of(parse_result(result_json(result), "r")));

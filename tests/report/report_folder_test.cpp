@@ -40,8 +40,8 @@ TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
   for (const auto& [name, bytes] : made) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"filled.ply", "garment-1.ply", "labels.u8",
                                              "measurements.csv", "pattern-1.json", "pattern-1.svg",
-                                             "pictures/sketch-1.svg", "report.html", "result.json",
-                                             "segmented.ply"}));
+                                             "pictures/sketch-1.svg", "pictures/view.json",
+                                             "report.html", "result.json", "segmented.ply"}));
 }
 
 TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {
