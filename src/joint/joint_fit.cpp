@@ -12,27 +12,9 @@
 namespace regarment {
 namespace {
 
-constexpr double kSlopeStep = 1e-6;    // m
 constexpr double kStill = 2e-5;        // m, a step this short ends a level
 constexpr double kFirstSpread = 0.03;  // m, StepLimits of the first round; doubles each round
 constexpr double kLastSpread = 0.5;    // m
-
-std::vector<LengthEvidence> evidence_of(const GarmentTemplate& garment, const Dimensions& at,
-                                        const std::vector<MeasuredLength>& lengths) {
-  std::vector<LengthEvidence> out;
-  for (const MeasuredLength& m : lengths) {
-    LengthEvidence e{m.value, m.standard_deviation, garment.evaluate(m.formula, at), {}};
-    e.slope.resize(static_cast<Eigen::Index>(garment.dimensions().size()));
-    Eigen::Index k = 0;
-    for (const Dimension& d : garment.dimensions()) {
-      Dimensions moved = at;
-      moved[d.name] += kSlopeStep;
-      e.slope[k++] = (garment.evaluate(m.formula, moved) - e.at_model) / kSlopeStep;
-    }
-    out.push_back(std::move(e));
-  }
-  return out;
-}
 
 Dimensions moved_by(const JointModel& model, const Eigen::VectorXd& step, const Dimensions& fixed) {
   Dimensions moved = model.dimensions();
@@ -103,7 +85,7 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
                                  static_cast<double>(options.levels.size()));
       match_scan(target, x, match, model);
       if (!outer.empty()) bound_inside(outer, x, coverage(model), options.inside, model);
-      model.lengths = evidence_of(garment, model.dimensions(), lengths);
+      model.lengths = length_evidence(garment, model.dimensions(), lengths);
       const JointStep step = system.step(model, x, held, limits);
       double longest = 0;
       for (std::size_t i = 0; i < x.size(); ++i) {
@@ -120,7 +102,7 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
     last = model.pattern();
     if (l + 1 < options.levels.size()) continue;
     match_scan(target, x, match, model);
-    model.lengths = evidence_of(garment, at, lengths);
+    model.lengths = length_evidence(garment, at, lengths);
     judge(model, target, x, out);
   }
   out.dimensions = at;

@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "joint/joint_model.h"
+#include "joint/length_evidence.h"
 #include "joint/match_scan.h"
 
 namespace regarment {
@@ -36,13 +37,6 @@ struct JointFit {
   double surface_error = 0;            // m, root mean square of scan off the garment, weighted
   std::map<std::string, double> worn;  // m, the measured lines as they lie on the body
   double matched = 0;                  // share of the target's area that lies on the garment, 0..1
-};
-
-/// A length of the worn garment that was measured before.
-struct MeasuredLength {
-  std::string formula;            // over the template's dimensions
-  double value = 0;               // m
-  double standard_deviation = 0;  // m, > 0
 };
 
 /// Fits particles and dimensions of a garment to a scan at once, coarse to fine. `start`:

@@ -62,6 +62,30 @@ void JointModel::move_to(const Dimensions& dimensions) {
   particle_areas_ = particle_masses(pattern_, 1.0);
 }
 
+void JointModel::add_slopes(const FlatSlopes& more, double spread) {
+  const auto before = static_cast<Eigen::Index>(dimension_count());
+  for (std::size_t k = 0; k < more.size(); ++k) {
+    flat_slopes_.names.push_back(more.names[k]);
+    flat_slopes_.vertex.push_back(more.vertex[k]);
+    dimensions_[more.names[k]] = 0;
+  }
+  slopes_ = rest_length_slopes(flat_slopes_, pattern_, springs_);
+  const auto added = static_cast<Eigen::Index>(more.size());
+  prior_mean.conservativeResize(before + added);
+  prior_weight.conservativeResize(before + added);
+  prior_mean.tail(added).setZero();
+  prior_weight.tail(added).setConstant(1 / squared(spread));
+}
+
+void JointModel::shift(const Eigen::VectorXd& step) {
+  const std::size_t n = dimension_count();
+  for (std::size_t s = 0; s < springs_.size(); ++s)
+    for (std::size_t k = 0; k < n; ++k)
+      springs_[s].rest_length += slopes_[s * n + k] * step[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < n; ++k)
+    dimensions_[flat_slopes_.names[k]] += step[static_cast<Eigen::Index>(k)];
+}
+
 double JointModel::energy(const std::vector<Vec3>& x, const Eigen::VectorXd& step) const {
   const std::size_t n = dimension_count();
   double sum = 0;

@@ -77,6 +77,12 @@ class JointModel {
   /// Takes the flat garment at other dimensions. Throws InvalidInput when they make none.
   void move_to(const Dimensions& dimensions);
 
+  /// Takes in more ways in which the flat garment may change, as dimensions after the template's
+  /// own, at 0 with the standard deviation `spread` (m) about it. They stay until move_to().
+  void add_slopes(const FlatSlopes& more, double spread);
+  /// Moves all dimensions (m, those added too) where the rest lengths are taken to be linear.
+  void shift(const Eigen::VectorXd& step);
+
   const GarmentTemplate& garment() const { return garment_; }
   const Pattern& pattern() const { return pattern_; }
   const Dimensions& dimensions() const { return dimensions_; }

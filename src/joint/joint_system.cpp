@@ -14,60 +14,19 @@ using Index = Eigen::Index;
 /// First of a particle's three rows.
 constexpr Index row_of(int particle) { return 3 * static_cast<Index>(particle); }
 
-void join(std::vector<std::vector<int>>& below, int a, int b) {
-  if (a != b) below[std::min(a, b)].push_back(std::max(a, b));
-}
-
-std::vector<std::vector<int>> neighbours_below(const JointModel& model) {
-  std::vector<std::vector<int>> below(model.pattern().particle_count);
-  for (const Spring& s : model.springs()) join(below, s.particle_a, s.particle_b);
-  for (std::vector<int>& list : below) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return below;
-}
-
-/// Lower triangle of the particles' block, all entries present.
-Eigen::SparseMatrix<double> empty_matrix(const std::vector<std::vector<int>>& below) {
-  const int n = static_cast<int>(below.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int j = 0; j < n; ++j)
-    for (int b = 0; b < 3; ++b) {
-      for (int a = b; a < 3; ++a) entries.emplace_back(3 * j + a, 3 * j + b, 1.0);
-      for (const int i : below[j])
-        for (int a = 0; a < 3; ++a) entries.emplace_back(3 * i + a, 3 * j + b, 0.0);
-    }
-  Eigen::SparseMatrix<double> matrix(row_of(n), row_of(n));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+std::vector<std::array<int, 2>> spring_pairs(const JointModel& model) {
+  std::vector<std::array<int, 2>> pairs;
+  pairs.reserve(model.springs().size());
+  for (const Spring& s : model.springs()) pairs.push_back({s.particle_a, s.particle_b});
+  return pairs;
 }
 
 }  // namespace
 
 JointSystem::JointSystem(const JointModel& model)
     : particles_(model.pattern().particle_count),
-      below_(neighbours_below(model)),
-      matrix_(empty_matrix(below_)) {
-  factor_.analyzePattern(matrix_);
-}
-
-void JointSystem::add_block(int i, int j, const Eigen::Matrix3d& block) {
-  if (i < j) return;  // its mirror image is added too
-  double* values = matrix_.valuePtr();
-  const int* starts = matrix_.outerIndexPtr();
-  if (i == j) {
-    for (int b = 0; b < 3; ++b)
-      for (int a = b; a < 3; ++a) values[starts[3 * j + b] + a - b] += block(a, b);
-    return;
-  }
-  const std::vector<int>& list = below_[j];
-  const auto at = static_cast<int>(std::lower_bound(list.begin(), list.end(), i) - list.begin());
-  for (int b = 0; b < 3; ++b) {
-    double* column = values + starts[3 * j + b] + (3 - b) + row_of(at);
-    for (int a = 0; a < 3; ++a) column[a] += block(a, b);
-  }
-}
+      matrix_(particles_, spring_pairs(model)),
+      factor_(matrix_) {}
 
 void JointSystem::add_springs(const JointModel& model, const std::vector<Vec3>& x) {
   const std::size_t n = model.dimension_count();
@@ -82,9 +41,9 @@ void JointSystem::add_springs(const JointModel& model, const std::vector<Vec3>& 
     const double across = std::max(0.0, 1 - rest / length);
     const Eigen::Matrix3d block =
         w * (across * Eigen::Matrix3d::Identity() + (1 - across) * along * along.transpose());
-    add_block(spring.particle_a, spring.particle_a, block);
-    add_block(spring.particle_b, spring.particle_b, block);
-    add_block(spring.particle_b, spring.particle_a, -block);
+    matrix_.add(spring.particle_a, spring.particle_a, block);
+    matrix_.add(spring.particle_b, spring.particle_b, block);
+    matrix_.add(spring.particle_b, spring.particle_a, -block);
     const Vec3 force = w * (length - rest) * along;
     gradient_.segment<3>(row_of(spring.particle_a)) -= force;
     gradient_.segment<3>(row_of(spring.particle_b)) += force;
@@ -112,8 +71,8 @@ void JointSystem::add_hinges(const JointModel& model, const std::vector<Vec3>& x
         // several times as much to factor. 2 x0 x1 <= x0^2 + x1^2 takes their term's place, with
         // nothing in the way of moves that both make.
         const bool opposite = a + b == 1;
-        add_block(hinge.particles[a], hinge.particles[opposite ? a : b],
-                  w * hinge.weights[b] * Eigen::Matrix3d::Identity());
+        matrix_.add(hinge.particles[a], hinge.particles[opposite ? a : b],
+                    w * hinge.weights[b] * Eigen::Matrix3d::Identity());
       }
     }
   }
@@ -128,19 +87,19 @@ void JointSystem::add_matches(const JointModel& model, const std::vector<Vec3>& 
     for (int a = 0; a < 3; ++a) {
       gradient_.segment<3>(row_of(m.particles[a])) += m.weight * m.share[a] * off * m.normal;
       for (int b = 0; b < 3; ++b)
-        add_block(m.particles[a], m.particles[b], m.share[a] * m.share[b] * block);
+        matrix_.add(m.particles[a], m.particles[b], m.share[a] * m.share[b] * block);
     }
   }
   for (const EdgeMatch& e : model.edges) {
     const double off = e.across.dot(x[e.particle] - e.point);
     gradient_.segment<3>(row_of(e.particle)) += e.weight * off * e.across;
-    add_block(e.particle, e.particle, e.weight * e.across * e.across.transpose());
+    matrix_.add(e.particle, e.particle, e.weight * e.across * e.across.transpose());
   }
   for (const InsideBound& b : model.inside) {
     const double beyond = b.outward.dot(x[b.particle] - b.point);
     if (beyond <= 0) continue;
     gradient_.segment<3>(row_of(b.particle)) += b.weight * beyond * b.outward;
-    add_block(b.particle, b.particle, b.weight * b.outward * b.outward.transpose());
+    matrix_.add(b.particle, b.particle, b.weight * b.outward * b.outward.transpose());
   }
 }
 
@@ -153,7 +112,7 @@ void JointSystem::add_evidence(const JointModel& model) {
 void JointSystem::assemble(const JointModel& model, const std::vector<Vec3>& x,
                            double position_weight) {
   const auto n = static_cast<Index>(model.dimension_count());
-  std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+  matrix_.set_zero();
   gradient_.setZero(row_of(particles_));
   mixed_.setZero(row_of(particles_), n);
   own_.setZero(n, n);
@@ -163,18 +122,20 @@ void JointSystem::assemble(const JointModel& model, const std::vector<Vec3>& x,
   add_matches(model, x);
   add_evidence(model);
   for (int i = 0; i < particles_; ++i)
-    add_block(i, i,
-              position_weight * model.particle_areas()[i] / model.scales().patch *
-                  Eigen::Matrix3d::Identity());
+    matrix_.add(i, i,
+                position_weight * model.particle_areas()[i] / model.scales().patch *
+                    Eigen::Matrix3d::Identity());
   own_gradient_ = model.dimension_gradient(x);
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success)
+  if (!factor_.factorize(matrix_))
     throw InvalidInput("the joint system of the garment cannot be factored");
 }
 
 void JointSystem::eliminate() {
-  solved_ = factor_.solve(mixed_);
-  solved_gradient_ = factor_.solve(gradient_);
+  Eigen::MatrixXd right(mixed_.rows(), mixed_.cols() + 1);
+  right << mixed_, gradient_;
+  right = factor_.solve(right);
+  solved_ = right.leftCols(mixed_.cols());
+  solved_gradient_ = right.rightCols<1>();
   schur_ = own_ - mixed_.transpose() * solved_;
   reduced_gradient_ = own_gradient_ - mixed_.transpose() * solved_gradient_;
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <vector>
 
+#include "joint/block_factor.h"
 #include "joint/joint_model.h"
 
 namespace regarment {
@@ -35,21 +36,17 @@ class JointSystem {
                  const StepLimits& limits);
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-
   void assemble(const JointModel& model, const std::vector<Vec3>& x, double position_weight);
   void add_springs(const JointModel& model, const std::vector<Vec3>& x);
   void add_hinges(const JointModel& model, const std::vector<Vec3>& x);
   void add_matches(const JointModel& model, const std::vector<Vec3>& x);
   void add_evidence(const JointModel& model);
-  void add_block(int i, int j, const Eigen::Matrix3d& block);
   /// Eliminates the particles: schur_, and what is left of the gradient.
   void eliminate();
 
   int particles_;
-  std::vector<std::vector<int>> below_;  // per particle: neighbours of larger index, ascending
-  Matrix matrix_;                        // lower triangle
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
+  BlockTriangle matrix_;
+  BlockFactor factor_;
   Eigen::VectorXd gradient_;                         // 3 n
   Eigen::MatrixXd mixed_, solved_;                   // 3 n x dimensions
   Eigen::VectorXd solved_gradient_;                  // 3 n

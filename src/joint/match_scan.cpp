@@ -6,6 +6,7 @@
 
 #include "geometry/closed_curve.h"
 #include "geometry/closest_point.h"
+#include "geometry/parallel.h"
 #include "joint/particle_mesh.h"
 #include "joint/worn_lines.h"
 
@@ -27,9 +28,14 @@ void match_surface(const JointTarget& target, const std::vector<Triangle>& trian
                    const std::vector<Vec3>& x, const MatchOptions& options, JointModel& model) {
   const ClosestPoint garment(x, triangles);
   const JointScales& scales = model.scales();
-  for (std::size_t q = 0; q < target.points.size(); ++q) {
-    const ClosestHit hit =
-        garment.closest(target.points[q], {options.reach, target.normals[q], options.min_cosine});
+  std::vector<ClosestHit> hits(target.points.size());
+  parallel_for(hits.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t q = begin; q < end; ++q)
+      hits[q] =
+          garment.closest(target.points[q], {options.reach, target.normals[q], options.min_cosine});
+  });
+  for (std::size_t q = 0; q < hits.size(); ++q) {
+    const ClosestHit& hit = hits[q];
     if (!hit.found()) continue;
     Vec3 beyond = target.points[q] - hit.point;
     beyond -= beyond.dot(target.normals[q]) * target.normals[q];
