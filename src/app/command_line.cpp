@@ -129,6 +129,12 @@ CLI::App* add_render(CLI::App& app, RenderArguments& a) {
 CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   CLI::App* templates = app.add_subcommand("templates", "List the garment templates, or show one");
   templates->add_option("NAME", a.name, "Template name or file");
+  templates
+      ->add_option("--at", a.at,
+                   "With --json: the triangles of the flat pattern at these dimensions, NAME=CM; "
+                   "others are typical")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_speech(*templates, a.speech);
   return templates;
 }

@@ -99,6 +99,7 @@ struct RenderArguments {
 struct TemplatesArguments {
   Speech speech;
   std::optional<std::string> name;
+  std::vector<std::string> at;  // NAME=CM: with --json, the flat pattern at these dimensions
 };
 
 /// --help and --version: an answer that needs no work.

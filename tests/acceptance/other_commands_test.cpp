@@ -59,6 +59,33 @@ TEST(Templates, SpeakJson) {
   EXPECT_EQ(tshirt.at("dimensions").at(0).at("code"), "T01");
 }
 
+// A longer skirt: below the hip line points move down, across nothing moves, and the triangles
+// stay.
+TEST(Templates, TellThePatternAtAnySize) {
+  const auto pattern_at = [](const std::string& length) {
+    return Json::parse(
+               run_program({"templates", "skirt", "--at", "length=" + length, "--json"}).out)
+        .at("pattern");
+  };
+  const Json a = pattern_at("54"), b = pattern_at("64");
+  EXPECT_EQ(a.at("triangles"), b.at("triangles"));
+  EXPECT_EQ(a.at("coarse_triangle_of_point"), b.at("coarse_triangle_of_point"));
+  double lowest_a = 0, lowest_b = 0;
+  for (std::size_t i = 0; i < a.at("points_cm").size(); ++i) {
+    lowest_a = std::max(lowest_a, a.at("points_cm")[i][1].get<double>());
+    lowest_b = std::max(lowest_b, b.at("points_cm")[i][1].get<double>());
+  }
+  EXPECT_DOUBLE_EQ(lowest_a, 54);
+  EXPECT_DOUBLE_EQ(lowest_b, 64);
+}
+
+TEST(Templates, RefuseWhatIsNoSize) {
+  EXPECT_EQ(run_program({"templates", "skirt", "--at", "length=54"}).status, 2);
+  EXPECT_EQ(run_program({"templates", "skirt", "--at", "sleeve=54", "--json"}).status, 2);
+  EXPECT_EQ(run_program({"templates", "skirt", "--at", "length=ten", "--json"}).status, 2);
+  EXPECT_EQ(run_program({"templates", "tshirt", "--at", "length=9", "--json"}).status, 2);
+}
+
 TEST(Render, DrawsFourSidesOfAnythingReadable) {
   const TemporaryFolder home;
   std::ofstream(home.path() / "triangle.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
