@@ -182,6 +182,24 @@ TEST(Page, ShowsPicturesAsData) {
             2u);  // and beside the verdict
 }
 
+TEST(Page, EachLookCanBeChosenWithoutAScript) {
+  Result result = example_result();
+  PageParts parts = bare_parts(result);
+  for (const char* kind : {"scan", "segmentation", "placement", "drape", "deviation", "filled"}) {
+    const std::string file = std::string("pictures/") + kind + "-front.png";
+    result.figures.push_back({kind, "front", file, 3, 4});
+    parts.pictures[file] = "\x89PNG\r\n\x1a\n";
+  }
+  const std::string page = report_page(result, parts);
+  EXPECT_EQ(count(page, "type=\"radio\" name=\"look\""), 5u);
+  for (const char* kind : {"segmentation", "placement", "drape", "deviation", "filled"}) {
+    const std::string name = kind;
+    EXPECT_EQ(count(page, "id=\"look-" + name + "\""), 1u) << kind;
+    EXPECT_EQ(count(page, "#look-" + name + ":checked ~ ." + name), 1u) << kind;
+    EXPECT_EQ(count(page, "class=\"look after " + name + "\""), 1u) << kind;
+  }
+}
+
 TEST(Page, ShowsSketchesAsPicturesThatCannotRun) {
   const Result result = example_result();
   PageParts parts = bare_parts(result);
