@@ -197,8 +197,8 @@ def note_on_rest(page, fits):
         out += "<p>Without a result:</p><ul>" + "".join(
             f"<li>{text(n)}: {text(why)}</li>" for n, why in failed) + "</ul>"
     seconds = sum(r["wall_s"] for r in page.results.fits.values())
-    return out + (f"<p>{len(page.results.fits)} fits took {seconds / 3600:.1f} hours, one at a "
-                  "time on a machine that was busy with other work.</p>")
+    return out + (f"<p>{len(page.results.fits)} fits took {seconds / 3600:.1f} hours added up, on "
+                  "a machine that was busy with other work.</p>")
 
 
 def write_page(out, published_table, effort, fits, here):
