@@ -9,6 +9,7 @@
 #include "garment/fabric.h"
 #include "garment/pattern.h"
 #include "scan/scan.h"
+#include "segmentation/border_lines.h"
 
 namespace regarment {
 
@@ -59,6 +60,7 @@ struct GarmentAnalysis {
   std::vector<Vec3> placed;  // start of the garment, body frame, one per pattern vertex
   std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
+  std::vector<BorderLine> borders;  // where its label ends, one per edge of the pattern that shows
   std::size_t vertices_labelled = 0;
   double mean_distance = 0.0;        // m, draped garment to the scan, area-weighted mean
   double mean_stretch = 1.0;         // mean of spring length over rest length

@@ -121,6 +121,9 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
     if (stage.cap[f])
       for (std::uint32_t v : scan.mesh.triangles[f]) stage.labels.probability[v] = 0.5F;
   judge_outlines(scan, stage.cap, analysis.garments);
+  for (GarmentAnalysis& garment : analysis.garments)
+    garment.borders =
+        border_lines(scan, stage.labels.label, garment.layer, garment.pattern, garment.draped);
   progress.report(stage_name, 1.0);
   analysis.times.push_back({stage_name, watch.lap()});
   analysis.cap = std::move(stage.cap);

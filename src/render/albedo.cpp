@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "render/picture.h"
+
 namespace regarment {
 namespace {
-
-constexpr Colour kBorderLine = {38, 40, 46};
 
 template <typename Visit>
 void for_each_seen(const Surface& surface, Visit visit) {
@@ -19,6 +19,29 @@ void for_each_seen(const Surface& surface, Visit visit) {
     }
   }
 }
+
+/// Values of vertices, one per vertex of the original mesh, blended over triangles; 1 everywhere
+/// when there are none.
+class PixelMeans {
+ public:
+  PixelMeans(const Surface& surface, std::span<const float> values)
+      : surface_(surface), values_(values) {}
+
+  float at(std::uint32_t element, int x, int y) const {
+    if (values_.empty()) return 1.0F;
+    const DisplayMesh& mesh = *surface_.mesh;
+    if (mesh.is_cloud()) return values_[mesh.source_vertex[element]];
+    const Triangle& t = mesh.triangles[element];
+    const std::array<float, 3> w = surface_.barycentric(t, x, y);
+    float sum = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) sum += w[k] * values_[mesh.source_vertex[t[k]]];
+    return sum;
+  }
+
+ private:
+  const Surface& surface_;
+  std::span<const float> values_;
+};
 
 Colour mix(Colour a, Colour b, int share_of_b, int whole) {
   const auto channel = [&](std::size_t c) {
@@ -96,16 +119,9 @@ Albedo value_albedo(const Surface& surface, std::span<const float> values,
     return table[std::size_t(place + 0.5)];
   };
   Albedo albedo(surface.seen.id.size());
-  const DisplayMesh& mesh = *surface.mesh;
-  const auto value_of = [&](std::uint32_t vertex) { return values[mesh.source_vertex[vertex]]; };
+  const PixelMeans means(surface, values);
   for_each_seen(surface, [&](std::size_t i, std::uint32_t element, int x, int y) {
-    if (mesh.is_cloud()) {
-      albedo[i] = colour_at(value_of(element));
-      return;
-    }
-    const Triangle& t = mesh.triangles[element];
-    const std::array<float, 3> w = surface.barycentric(t, x, y);
-    albedo[i] = colour_at(w[0] * value_of(t[0]) + w[1] * value_of(t[1]) + w[2] * value_of(t[2]));
+    albedo[i] = colour_at(means.at(element, x, y));
   });
   return albedo;
 }
@@ -131,19 +147,20 @@ std::vector<std::uint8_t> pixel_labels(const Surface& surface,
 }
 
 Albedo label_albedo(const Surface& surface, std::span<const std::uint8_t> pixel_labels,
-                    std::span<const std::uint8_t> cap, int line) {
+                    const LabelPaint& paint) {
   Albedo albedo(surface.seen.id.size());
   const GeometryBuffers& seen = surface.seen;
-  std::array<Colour, 256> colours;
-  for (int label = 0; label < 256; ++label) colours[std::size_t(label)] = garment_colour(label);
-  const int stripe = 6 * line;
+  const PixelMeans certainty(surface, paint.probability);
+  const Colour border = border_colour();
+  const int stripe = 6 * kSamples;
   for_each_seen(surface, [&](std::size_t i, std::uint32_t element, int x, int y) {
-    albedo[i] = colours[pixel_labels[i]];
-    if (!cap.empty() && cap[surface.mesh->source_triangle[element]] != 0) {
+    if (!paint.cap.empty() && paint.cap[surface.mesh->source_triangle[element]] != 0) {
       const int across = (x + seen.left + y + seen.top) % stripe;
-      albedo[i] = mix(albedo[i], kBorderLine, across < stripe / 3 ? 6 : 3, 10);
+      albedo[i] = mix(garment_colour(pixel_labels[i]), border, across < stripe / 3 ? 6 : 3, 10);
+    } else {
+      albedo[i] = label_colour(pixel_labels[i], certainty.at(element, x, y));
     }
-    if (at_border(seen, pixel_labels, x, y, line)) albedo[i] = kBorderLine;
+    if (paint.borders && at_border(seen, pixel_labels, x, y, kSamples)) albedo[i] = border;
   });
   return albedo;
 }

@@ -27,9 +27,15 @@ constexpr std::uint8_t kNothing = 255;
 std::vector<std::uint8_t> pixel_labels(const Surface& surface,
                                        std::span<const std::uint8_t> labels);
 
-/// The colours of labels, dark lines where labels meet, stripes on caps. `pixel_labels` as above;
-/// `cap`: one per triangle of the original mesh, or empty; `line` is the width of lines in pixels.
+/// How labels are shown. Optional parts are empty.
+struct LabelPaint {
+  std::span<const std::uint8_t> cap;   // per triangle of the original mesh: 1 = striped
+  std::span<const float> probability;  // per vertex of it: how sure its label is
+  bool borders = true;                 // dark lines where labels meet
+};
+
+/// The colours of labels, see label_colour. `pixel_labels` as above.
 Albedo label_albedo(const Surface& surface, std::span<const std::uint8_t> pixel_labels,
-                    std::span<const std::uint8_t> cap, int line);
+                    const LabelPaint& paint);
 
 }  // namespace regarment

@@ -126,6 +126,23 @@ Colour garment_colour(int layer) {
   return kGarments[std::size_t(layer - 1) % kGarments.size()];
 }
 
+Colour unsure_colour() { return {168, 30, 60}; }
+
+Colour label_colour(int label, float probability) {
+  // Half sure is as unsure as a label can be; above 95 % nothing need be said.
+  constexpr float kSure = 0.95F, kHalf = 0.5F, kMost = 0.85F;
+  const float share = kMost * std::clamp((kSure - probability) / (kSure - kHalf), 0.0F, 1.0F);
+  const Colour own = garment_colour(label), unsure = unsure_colour();
+  Colour out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float mixed = (1.0F - share) * float(own[c]) + share * float(unsure[c]);
+    out[c] = static_cast<std::uint8_t>(mixed + 0.5F);
+  }
+  return out;
+}
+
+Colour border_colour() { return {38, 40, 46}; }
+
 std::string css_colour(Colour colour) {
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", unsigned(colour[0]), unsigned(colour[1]),

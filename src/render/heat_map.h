@@ -43,6 +43,16 @@ Image colour_bar(const ColourScale& scale, int width, int height);
 /// first six; repeats after that. 0 gives the person's neutral colour.
 Colour garment_colour(int layer);
 
+/// What is mixed into a label's colour where the label is not sure.
+Colour unsure_colour();
+
+/// The colour of a label (0 person, i = i-th garment) that is right with this probability: the
+/// garment's own where it is sure, nearly all `unsure_colour()` at one half.
+Colour label_colour(int label, float probability);
+
+/// The lines along a garment's border.
+Colour border_colour();
+
 /// "#rrggbb".
 std::string css_colour(Colour colour);
 

@@ -17,8 +17,13 @@ struct Painted {
   Range columns, rows;
 };
 
-Painted painted_part(const std::vector<Paint>& paints, const FloorShadow* shadow) {
+Painted painted_part(const std::vector<Paint>& paints, const Strokes& lines,
+                     const FloorShadow* shadow) {
   Painted part;
+  if (lines.left() < lines.right()) {
+    part.columns.add(lines.left(), lines.right());
+    part.rows.add(lines.top(), lines.bottom());
+  }
   for (const Paint& paint : paints) {
     const GeometryBuffers& seen = paint.surface->seen;
     part.columns.add(seen.left, seen.left + seen.width);
@@ -54,10 +59,10 @@ Linear mean_of_samples(const std::vector<PaintRow>& rows, int x) {
 
 }  // namespace
 
-Image paint_picture(const Camera& camera, const std::vector<Paint>& paints,
+Image paint_picture(const Camera& camera, const std::vector<Paint>& paints, const Strokes& lines,
                     const FloorShadow* shadow, Rgba background) {
   Image image(camera.width / kSamples, camera.height / kSamples, background);
-  const Painted part = painted_part(paints, shadow);
+  const Painted part = painted_part(paints, lines, shadow);
   const Linear behind =
       linear({background.r, background.g, background.b}, float(background.a) / 255.0F);
   std::vector<PaintRow> rows(kSamples);
@@ -74,6 +79,7 @@ Image paint_picture(const Camera& camera, const std::vector<Paint>& paints,
       PaintRow& row = rows[std::size_t(s)];
       start_row(row, y * kSamples + s, columns, shadow);
       for (const Paint& paint : paints) paint_surface(paint, row);
+      lines.paint(row);
     }
     for (int x = columns.begin / kSamples; x < columns.end / kSamples; ++x) {
       const Linear mean = mean_of_samples(rows, x);

@@ -11,6 +11,7 @@
 #include "render/floor.h"
 #include "render/geometry_pass.h"
 #include "render/picture.h"
+#include "render/strokes.h"
 #include "render/surface.h"
 
 namespace regarment {
@@ -23,6 +24,11 @@ constexpr float kEvenness = 0.5F;
 
 // A draped garment lies within this of the cloth it was fitted to, and is shown in front of it.
 constexpr float kOnTheCloth = 0.02F;  // m
+
+// Half the width of a border line, in samples.
+constexpr double kHalfLine = 1.7;
+
+using NoLines = std::vector<std::span<const Vec3>>;
 
 // The scene as all views draw it. A mesh that is not given or not asked for is empty.
 struct Stage {
@@ -51,6 +57,7 @@ void check_scene(const Scene& scene) {
   const std::size_t vertices = scene.scan.positions.size();
   check_size("labels", scene.labels.size(), vertices);
   check_size("values", scene.values.size(), vertices);
+  check_size("probability", scene.probability.size(), vertices);
   check_size("outlier", scene.outlier.size(), vertices);
   check_size("cap", scene.cap.size(), scene.scan.triangles.size());
   for (const SceneGarment& garment : scene.garments) {
@@ -145,7 +152,8 @@ Albedo scan_albedo(const Scene& scene, const Surface& scan, Look look, const Col
     return vertex_albedo(scan, scene.scan.colours);
   }
   if (look == Look::Segmentation && !scene.labels.empty()) {
-    return label_albedo(scan, pixel_labels(scan, scene.labels), scene.cap, kSamples);
+    return label_albedo(scan, pixel_labels(scan, scene.labels),
+                        {scene.cap, scene.probability, scene.border_lines.empty()});
   }
   if (look == Look::Deviation && !scene.values.empty()) {
     return value_albedo(scan, scene.values, scale);
@@ -186,8 +194,11 @@ std::vector<Paint> compose(const Stage& stage, const Sight& sight, Look look,
 
 Image make_picture(const Stage& stage, const Sight& sight, Look look,
                    const FigureOptions& options) {
-  Image image = paint_picture(sight.camera, compose(stage, sight, look, options.scale),
-                              options.shadow ? &sight.shadow : nullptr, options.background);
+  const FloorShadow* shadow = options.shadow ? &sight.shadow : nullptr;
+  const Strokes lines(look == Look::Segmentation ? stage.scene.border_lines : NoLines(),
+                      sight.camera, kHalfLine);
+  Image image = paint_picture(sight.camera, compose(stage, sight, look, options.scale), lines,
+                              shadow, options.background);
   if (options.scale_bar) draw_scale_bar(image, sight.camera.pixels_per_metre / kSamples);
   return image;
 }

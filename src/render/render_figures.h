@@ -24,20 +24,23 @@ struct SceneGarment {
 /// What figures are made of. Views into the caller's data, which must outlive the call. Everything
 /// is in the body frame, metres. Optional parts are empty or have one entry per vertex of the scan.
 struct Scene {
-  const Mesh& scan;                       // mesh, or cloud when it has no triangles; normals and
-                                          // colours are used when there, else computed
-  std::span<const std::uint8_t> labels;   // per vertex: 0 person, i = i-th garment
-  std::span<const float> values;          // per vertex: scalar for Look::Deviation, NaN = no data
-  std::span<const std::uint8_t> cap;      // per triangle: 1 = invented surface
-  std::span<const std::uint8_t> outlier;  // per vertex: 1 = not shown
-  std::vector<SceneGarment> garments;     // outermost first
+  const Mesh& scan;                         // mesh, or cloud when it has no triangles; normals and
+                                            // colours are used when there, else computed
+  std::span<const std::uint8_t> labels;     // per vertex: 0 person, i = i-th garment
+  std::span<const float> values;            // per vertex: scalar for Look::Deviation, NaN = no data
+  std::span<const std::uint8_t> cap;        // per triangle: 1 = invented surface
+  std::span<const std::uint8_t> outlier;    // per vertex: 1 = not shown
+  std::vector<SceneGarment> garments;       // outermost first
+  std::span<const float> probability = {};  // per vertex: how sure its label is
+  std::vector<std::span<const Vec3>> border_lines = {};  // closed, along the borders of labels
 };
 
 /// What a figure shows.
 enum class Look {
   Scan,          // the scan in its own colours, or as clay when it has none
   Clay,          // the scan as clay, whatever its colours
-  Segmentation,  // person neutral, garments coloured, border lines drawn, caps hatched
+  Segmentation,  // person neutral, garments coloured, caps hatched, unsure labels shaded; the
+                 // border lines drawn or, without any, lines where labels meet
   Placement,     // the placed garments, translucent with their wires, over the scan
   Drape,         // the draped garments as cloth, over the scan
   Deviation,     // `values` by a colour scale, grey where there is no data

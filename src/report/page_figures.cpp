@@ -1,6 +1,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "render/heat_map.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -15,7 +16,7 @@ struct Look {
 
 constexpr std::array<Look, 6> kLooks = {{
     {"scan", "Scan", "The scan as it was read."},
-    {"segmentation", "Segmentation", "Each vertex in the colour of its label; grey is the person."},
+    {"segmentation", "Segmentation", "Each vertex in the colour of its label."},
     {"placement", "Placement", "Where the garment starts, before it is laid on the scan."},
     {"drape", "Garment", "The garment found, laid on the scan."},
     {"deviation", "Deviation",
@@ -51,6 +52,34 @@ Gaps show_figure(const StoredFigure& figure, const Look& look, const PageParts& 
   return gaps;
 }
 
+// A swatch of 18 by 12: a ground, and a line or stripes on it.
+Gaps key(const std::string& name, Colour ground, const std::string& path = "") {
+  Gaps gaps;
+  gaps.set("name", name);
+  const std::string line = "<path fill=\"none\" stroke-width=\"2\" stroke=\"" +
+                           css_colour(border_colour()) + "\" d=\"" + path + "\"/>";
+  gaps.set("drawing", "<path fill=\"" + css_colour(ground) + "\" d=\"M0 0h18v12H0z\"/>" +
+                          (path.empty() ? "" : line));
+  return gaps;
+}
+
+// What the colours and lines of the segmentation mean.
+std::vector<Gaps> segmentation_keys(const Result& result) {
+  std::vector<Gaps> keys;
+  for (const ResultGarment& garment : result.garments) {
+    keys.push_back(key(garment.title, garment_colour(garment.layer)));
+  }
+  const Colour person = garment_colour(0);
+  keys.push_back(key("person", person));
+  keys.push_back(key("border of a garment", person, "M0 6h18"));
+  keys.push_back(key("unsure label, darkest where one half is", label_colour(0, 0.5F)));
+  if (result.scan.caps > 0) {
+    keys.push_back(
+        key("surface that closes a hem", person, "M0 4L4 0M0 10L10 0M5 12L17 0M12 12l6-6"));
+  }
+  return keys;
+}
+
 // The first picture of the scan and of the first look beside it, to stand next to the verdict.
 std::vector<Gaps> pair_of(const std::vector<Gaps>& before, const std::vector<Gaps>& after) {
   std::vector<Gaps> pair;
@@ -80,6 +109,10 @@ void show_figures(const Result& result, const PageParts& parts, Gaps& page) {
     gaps.set("caption", look.caption);
     gaps.set("first", row.size() == 1);
     gaps.set("figures", std::move(figures));
+    std::vector<Gaps> keys;
+    if (std::string_view(look.kind) == "segmentation") keys = segmentation_keys(result);
+    gaps.set("has_keys", !keys.empty());
+    gaps.set("keys", std::move(keys));
     std::vector<Gaps> legends;
     if (std::string_view(look.kind) == "deviation") legends = show_deviations(result);
     gaps.set("has_legends", !legends.empty());

@@ -26,10 +26,13 @@ Scene scene_of(const Analysis& analysis, const std::vector<float>& deviation) {
               .values = deviation,
               .cap = analysis.cap,
               .outlier = analysis.scan.outlier,
-              .garments = {}};
+              .garments = {},
+              .probability = analysis.label_probability,
+              .border_lines = {}};
   for (const GarmentAnalysis& garment : analysis.garments) {
     scene.garments.push_back(
         {garment.pattern.triangles, garment.placed, garment.draped, garment.layer});
+    for (const BorderLine& line : garment.borders) scene.border_lines.emplace_back(line.points);
   }
   return scene;
 }

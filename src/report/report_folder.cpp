@@ -5,6 +5,7 @@
 #include "garment/pattern_svg.h"
 #include "geometry/ply_writer.h"
 #include "render/heat_map.h"
+#include "report/borders_json.h"
 #include "report/close_holes.h"
 #include "report/evaluations_csv.h"
 #include "report/files.h"
@@ -31,12 +32,13 @@ std::string labels_file(const std::vector<std::uint8_t>& labels) {
   return {labels.begin(), labels.end()};
 }
 
-// The colours of the labels in the pictures, paler where the label is unsure.
+// The colours of the labels in the pictures, shaded where the label is unsure.
 std::vector<Colour> label_colours(const Analysis& analysis) {
   std::vector<Colour> out;
   out.reserve(analysis.labels.size());
-  for (const std::uint8_t label : analysis.labels) {
-    out.push_back(garment_colour(label == 0 ? 0 : analysis.garments[label - 1u].layer));
+  const std::vector<float>& sure = analysis.label_probability;
+  for (std::size_t v = 0; v < analysis.labels.size(); ++v) {
+    out.push_back(label_colour(analysis.labels[v], sure.empty() ? 1.0F : sure[v]));
   }
   return out;
 }
@@ -121,6 +123,7 @@ ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemp
   }
   if (!options.state.empty()) files["state.bin"] = options.state;
   files["labels.u8"] = labels_file(analysis.labels);
+  files["borders.json"] = borders_json(analysis);
   files["segmented.ply"] = segmented_ply(analysis);
   files["filled.ply"] = filled_ply(analysis.scan, filled);
   files["measurements.csv"] = measurements_csv(result);

@@ -133,6 +133,22 @@ TEST(ColourBar, RunsFromLowToHigh) {
   EXPECT_GT(bar.at(200, 0).r, bar.at(200, 0).b);
 }
 
+TEST(LabelColour, IsThatOfTheGarmentWhereItIsSureAndNearsOneColourWhereItIsNot) {
+  const auto off = [](Colour a, Colour b) {
+    return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+  };
+  for (const int label : {0, 1, 2}) {
+    EXPECT_EQ(label_colour(label, 1.0F), garment_colour(label));
+    int last = off(garment_colour(label), unsure_colour());
+    for (const float p : {0.9F, 0.75F, 0.6F, 0.5F}) {
+      const int now = off(label_colour(label, p), unsure_colour());
+      EXPECT_LT(now, last) << label << ", " << p;
+      last = now;
+    }
+    EXPECT_EQ(label_colour(label, 0.2F), label_colour(label, 0.5F));
+  }
+}
+
 TEST(CssColour, WritesHexadecimal) { EXPECT_EQ(css_colour({1, 171, 255}), "#01abff"); }
 
 }  // namespace

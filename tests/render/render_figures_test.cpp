@@ -157,6 +157,44 @@ TEST(RenderFigures, SegmentationColoursTheGarmentAndDrawsItsBorder) {
   EXPECT_FALSE(dark(image.at(100, 60)));
 }
 
+TEST(RenderFigures, BorderLinesTakeThePlaceOfLinesBetweenLabels) {
+  const Mesh mesh = test::sphere_mesh(1.0, 60);
+  std::vector<std::uint8_t> labels;
+  for (const Vec3& p : mesh.positions) labels.push_back(p.y() < 0.0 ? 1 : 0);
+  std::vector<Vec3> ring;  // a little above where the labels meet
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 2 * M_PI * i / 100;
+    ring.emplace_back(std::sqrt(0.96) * std::cos(angle), 0.2, std::sqrt(0.96) * std::sin(angle));
+  }
+  Scene scene = {mesh, labels, {}, {}, {}, {}};
+  scene.border_lines = {ring};
+  const Image image = draw(scene, Look::Segmentation, small(View::Front, 200));
+  const auto darkest = [&](int from, int to) {
+    int out = 255;
+    for (int y = from; y < to; ++y) out = std::min<int>(out, image.at(100, y).b);
+    return out;
+  };
+  EXPECT_LT(darkest(78, 86), 110);   // 0.2 of the radius above the middle, at row 100
+  EXPECT_GT(darkest(90, 110), 110);  // where the labels meet
+  EXPECT_EQ(draw(scene, Look::Clay, small(View::Front, 200)),
+            draw(bare(mesh), Look::Clay, small(View::Front, 200)));
+}
+
+TEST(RenderFigures, UnsureLabelsAreShaded) {
+  const Mesh mesh = test::sphere_mesh(1.0, 60);
+  const std::vector<std::uint8_t> labels(mesh.positions.size(), 1);
+  std::vector<float> probability;
+  for (const Vec3& p : mesh.positions) probability.push_back(p.y() < 0.0 ? 0.5F : 1.0F);
+  Scene scene = {mesh, labels, {}, {}, {}, {}};
+  scene.probability = probability;
+  const Image image = draw(scene, Look::Segmentation, small(View::Front, 200));
+  EXPECT_TRUE(bluish(image.at(100, 60)));
+  EXPECT_GT(image.at(100, 140).r, image.at(100, 140).b + 30);
+  const std::vector<float> few(3, 1.0F);
+  scene.probability = few;
+  EXPECT_THROW(draw(scene, Look::Segmentation, small(View::Front, 32)), InvalidInput);
+}
+
 TEST(RenderFigures, CapsAreStriped) {
   const Mesh mesh = test::sphere_mesh(1.0, 60);
   const std::vector<std::uint8_t> labels(mesh.positions.size(), 0);

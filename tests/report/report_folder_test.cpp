@@ -38,10 +38,11 @@ TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
   const ReportFiles made = files();
   std::vector<std::string> names;
   for (const auto& [name, bytes] : made) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"filled.ply", "garment-1.ply", "labels.u8",
-                                             "measurements.csv", "pattern-1.json", "pattern-1.svg",
-                                             "pictures/sketch-1.svg", "pictures/view.json",
-                                             "report.html", "result.json", "segmented.ply"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"borders.json", "filled.ply", "garment-1.ply", "labels.u8",
+                                      "measurements.csv", "pattern-1.json", "pattern-1.svg",
+                                      "pictures/sketch-1.svg", "pictures/view.json", "report.html",
+                                      "result.json", "segmented.ply"}));
 }
 
 TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {
