@@ -21,8 +21,9 @@ constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standar
 // The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
 // better how far they may be off.
 constexpr double kLengthTrust = 0.25;
-// Of the cloth seen that lies on the fitted garment. Set by judgement: below, the report would show
-// a garment beside the cloth.
+// Of the cloth seen that lies on the fitted garment. Of 186 fits to what made people wear one has
+// less than 0.8, none less than 0.7. Fits of what they do not wear have as much: this tells a fit
+// that failed; the wrong garment shows in its edges.
 constexpr double kLeastMatched = 0.5, kWellMatched = 0.8;
 // m: what the labels make of an edge's standard error, which is that of its mean, not of each
 // place.
@@ -123,6 +124,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
     throw NoGarmentError(
         "no " + garment.name() + " on this scan: only " + share_text(fit.matched) +
         " of what lies between its edges fits one; ask for the garment that is worn");
+  check_stays_up(garment, fit.dimensions, seen.edges, stage);
   if (fit.matched < kWellMatched)
     stage.warnings.push_back(garment.title() + ": only " + share_text(fit.matched) +
                              " of the cloth seen lies on the fitted garment; it may be a different "

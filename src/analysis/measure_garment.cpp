@@ -67,6 +67,7 @@ GarmentAnalysis measure_garment(const Scan& scan, const GarmentTemplate& garment
         measurement_of(d, solved.at(d.name), observed, edges, fixed.contains(d.name)));
     out.dimensions[d.name] = solved.at(d.name).value;
   }
+  check_stays_up(garment, out.dimensions, edges, stage);
   out.dimensions = nearest_holding(garment, out.dimensions, fixed);
   move_pattern(garment, out.dimensions, out.pattern);
   out.placed = place_garment(out.pattern, placement_target(edges, out.pattern));

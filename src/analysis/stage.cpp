@@ -73,6 +73,28 @@ SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int
   return {std::move(edges), std::move(cloth), std::move(observed)};
 }
 
+void check_stays_up(const GarmentTemplate& garment, const Dimensions& dimensions,
+                    const GarmentEdges& edges, const Stage& stage) {
+  if (edges.upper_body || !fixed_of(stage.options, garment).empty()) return;
+  const auto said = said_of(stage.options.placement, garment.name());
+  double top = 0, widest = 0;
+  for (const Observation& o : garment.observations()) {
+    if (o.kind != Observation::Kind::Girth && o.kind != Observation::Kind::GirthAtOffset) continue;
+    const double girth = garment.evaluate(o.equals, dimensions);
+    const auto edge = edges.edges.find(o.edge);
+    if (edge == edges.edges.end()) continue;
+    if (o.kind == Observation::Kind::GirthAtOffset || edge->second.garment_above) {
+      widest = std::max(widest, girth);
+    } else if (!edge->second.covered && said.count(o.edge) == 0) {
+      top = std::max(top, girth);
+    }
+  }
+  if (widest > 0 && top > widest)
+    throw NoGarmentError("no " + garment.name() + " on this scan: its top edge would measure " +
+                         centimetres(top) + " and what is below it at most " + centimetres(widest) +
+                         ", so that it could not stay up; ask for the garment that is worn");
+}
+
 PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern) {
   PlacementTarget target;
   target.limbs = &edges.limbs;

@@ -44,6 +44,12 @@ struct SeenGarment {
 SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int layer,
                      const Stage& stage);
 
+/// A garment that hangs from its top edge stays up only if something below is wider: throws
+/// NoGarmentError when nothing is. What a person said (an edge's height, a dimension) is not
+/// doubted.
+void check_stays_up(const GarmentTemplate& garment, const Dimensions& dimensions,
+                    const GarmentEdges& edges, const Stage& stage);
+
 /// Heights for the placement; an edge hidden by another garment lies as far from the opposite edge
 /// as the garment is long.
 PlacementTarget placement_target(const GarmentEdges& edges, const Pattern& pattern);

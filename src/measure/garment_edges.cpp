@@ -158,7 +158,10 @@ struct Finder {
   std::vector<Cuff> cuffs = {};
 
   double arm_low(int side) const;
+  double below_armpits() const;
+  EdgeSearch waist_search() const;
   void add_limbs();
+  void find_top_of_other();
   void find_on_torso(const PatternEdge& edge);
   void find_on_arm(const PatternEdge& edge);
   void choose_cuffs();
@@ -209,10 +212,29 @@ void Finder::add_limbs() {
   out.limbs.emplace("neck", LimbView{neck, std::move(map), std::move(members)});
 }
 
+/// The highest that an edge round the trunk alone may lie, m above the floor.
+double Finder::below_armpits() const {
+  return std::max({body.armpit[0], body.armpit[1], kArmpitShare * body.height}) - 0.03;
+}
+
+/// A waist: cloth on skin, somewhere between the hips and the chest.
+EdgeSearch Finder::waist_search() const {
+  EdgeSearch search;
+  search.garment_above = false;
+  search.s_low = 0.48 * body.height, search.s_high = below_armpits(), search.most_step = 0.015;
+  search.least_error = kWaistError;
+  search.straightness = kWaistStray, search.tilt = kWaistTilt, search.dip = kWaistDip;
+  return search;
+}
+
+void Finder::find_top_of_other() {
+  if (!out.upper_body) return;
+  std::vector<FoundEdge> places = find_edges(out.limbs.at("torso").map, waist_search(), 1);
+  if (!places.empty()) out.top_of_other = std::move(places.front());
+}
+
 void Finder::find_on_torso(const PatternEdge& edge) {
   const LimbView& view = out.limbs.at("torso");
-  const double armpit = std::max(body.armpit[0], body.armpit[1]);
-  const double top = std::max(armpit, kArmpitShare * body.height) - 0.03;
   GarmentEdge found;
   found.limb = "torso";
   found.garment_above = at_bottom(pattern, edge);
@@ -223,14 +245,10 @@ void Finder::find_on_torso(const PatternEdge& edge) {
     search.s_low = given->second - kSaidReach, search.s_high = given->second + kSaidReach;
     found.found = find_edge(view.map, search);
   } else if (!found.garment_above) {
-    // A waist: cloth on skin, somewhere between the hips and the chest.
-    search.s_low = 0.48 * body.height, search.s_high = top, search.most_step = 0.015;
-    search.least_error = kWaistError;
-    search.straightness = kWaistStray, search.tilt = kWaistTilt, search.dip = kWaistDip;
-    std::vector<FoundEdge> places = find_edges(view.map, search, kCandidates);
+    std::vector<FoundEdge> places = find_edges(view.map, waist_search(), kCandidates);
     if (!places.empty()) settle(std::move(places), 0, found);
   } else if (out.upper_body) {
-    search.s_low = kLongestShirt * body.height, search.s_high = top + 0.06;
+    search.s_low = kLongestShirt * body.height, search.s_high = below_armpits() + 0.06;
     found.found = find_with_rivals(view.map, search, true);
   } else {
     search.s_low = 0.05 * body.height, search.s_high = 0.5 * body.height;
@@ -361,6 +379,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
       finder.find_on_arm(edge);
   }
   finder.choose_cuffs();
+  finder.find_top_of_other();
   judge_edges(finder.out, body, title, said);
   return std::move(finder.out);
 }

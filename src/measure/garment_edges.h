@@ -31,6 +31,9 @@ struct GarmentEdges {
   std::map<std::string, LimbView> limbs;
   std::map<std::string, GarmentEdge> edges;
   bool upper_body = false;  // the garment has sleeves or a neck
+  /// Of a garment with sleeves or a neck: the place where cloth that hangs from the waist would
+  /// most likely begin. A skirt's wearer shows such an edge, a T-shirt's does not.
+  FoundEdge top_of_other;
 };
 
 /// Is a loose point part of the torso's outer surface, a piece cut off by holes in the scan?

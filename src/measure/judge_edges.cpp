@@ -11,9 +11,19 @@ namespace {
 
 constexpr double kLeastCoverage = 0.8;  // of the loop where a person's own shape shows no edge
 constexpr double kLeastScore = 0.8;
-constexpr double kSureCoverage = 0.93, kSureScore = 1.0;    // no body shows so much
-constexpr double kStrongScore = 1.4, kLikelyScore = 0.85;   // where legs join: hem, cuffs
-constexpr double kFaintCoverage = 0.6, kFaintScore = 0.65;  // what a sure edge elsewhere excuses
+// Of T-shirts. Set on made people: no naked one without heavy noise shows a hem so clearly.
+constexpr double kClearCoverage = 0.85, kClearScore = 1.0;
+constexpr double kStrongScore = 1.4;  // where legs join
+constexpr double kAnySleeve = 0.5;    // evidence of sleeves that a clear hem needs beside it
+constexpr double kPlainScore = 0.95;  // of a hem beside a sleeve that shows
+constexpr double kFaintCoverage = 0.6, kFaintScore = 0.8;  // what sleeves that show both excuse
+constexpr double kBothSleeves = 0.95;                      // mean evidence of such sleeves
+// An edge of cloth that hangs from the waist, on made people: wearers of T-shirts show less.
+constexpr double kProvenSleeves = 1.4;  // mean evidence: whatever else there is, this is worn
+constexpr double kSamePlace = 0.06;     // m, the hem and that edge are one
+constexpr double kHemLead = 0.03;       // more evidence, as a hem, than as a top edge
+constexpr double kWellAbove = 0.15;     // m, below it is the hem's own cloth
+constexpr double kTopCoverage = 0.7, kTopScore = 0.58;
 constexpr double kBesideOuter = 0.7;  // of evidence on the arms under a garment that is proven
 constexpr double kOwnColour = 0.2;    // colour difference that cloth has to what lies below it
 constexpr double kNoColour = 0.06;    // and that skin has to skin
@@ -34,11 +44,35 @@ struct Judge {
     return edge.limb == "torso" && !edge.covered && said.count(name) == 0;
   }
   bool hem_joins_legs() const;
+  bool hangs_from_waist(const FoundEdge& hem) const;
   void skirt() const;
   void tshirt() const;
   [[noreturn]] void missing(const std::string& name, const FoundEdge& edge) const;
   [[noreturn]] void no_sleeves() const;
+  [[noreturn]] void other_garment() const;
 };
+
+/// What the arms show of sleeves.
+struct Sleeves {
+  int count = 0;
+  bool shown = false;
+  double best = 0, mean = 0;  // evidence
+  double contrast = 0;        // largest
+
+  explicit Sleeves(const GarmentEdges& edges) {
+    for (const auto& [name, edge] : edges.edges) {
+      if (edge.limb == "torso" || edge.limb == "neck") continue;
+      best = std::max(best, edge.found.score), contrast = std::max(contrast, edge.found.contrast);
+      mean += edge.found.score, count += 1;
+      shown = shown || shows(edge.found);
+    }
+    mean /= std::max(1, count);
+  }
+};
+
+double height_of(const FoundEdge& edge) {
+  return std::accumulate(edge.s.begin(), edge.s.end(), 0.0) / static_cast<double>(edge.s.size());
+}
 
 std::string describe(const std::string& name, const FoundEdge& edge) {
   char text[160];
@@ -60,9 +94,16 @@ void Judge::no_sleeves() const {
       " on this scan: neither sleeve shows an edge on the arm; ask for the garment that is worn");
 }
 
+void Judge::other_garment() const {
+  char height[32];
+  std::snprintf(height, sizeof height, "%.0f cm", 100 * height_of(edges.top_of_other));
+  throw NoGarmentError("no " + title + " on this scan: " + height +
+                       " above the floor it shows the top edge of something that hangs from the "
+                       "waist; ask for the garment that is worn");
+}
+
 bool Judge::at_fork(const FoundEdge& edge) const {
-  const double mean =
-      std::accumulate(edge.s.begin(), edge.s.end(), 0.0) / static_cast<double>(edge.s.size());
+  const double mean = height_of(edge);
   return mean > body.fork - kForkBelow && mean < body.fork + kForkAbove;
 }
 
@@ -81,31 +122,37 @@ void Judge::skirt() const {
     if (open_on_torso(name, edge) && !shows(edge.found)) missing(name, edge.found);
 }
 
+/// Is what ends at this hem a skirt, or the skin above one? Where the hem and a top edge are the
+/// same place, the side that lies higher is the cloth: each of them fits one side better.
+bool Judge::hangs_from_waist(const FoundEdge& hem) const {
+  const FoundEdge& top = edges.top_of_other;
+  if (!top.found()) return false;
+  const double above = height_of(top) - height_of(hem);
+  if (std::abs(above) < kSamePlace) return hem.score < top.score + kHemLead;
+  return (above < 0 || above > kWellAbove) && top.score >= kTopScore &&
+         top.coverage >= kTopCoverage;
+}
+
 void Judge::tshirt() const {
-  double best = 0, mean = 0, sleeves = 0, contrast = 0;
-  bool shown = false;
-  for (const auto& [name, edge] : edges.edges) {
-    if (edge.limb == "torso" || edge.limb == "neck") continue;
-    best = std::max(best, edge.found.score), contrast = std::max(contrast, edge.found.contrast);
-    mean += edge.found.score, sleeves += 1;
-    shown = shown || shows(edge.found);
-  }
-  mean /= std::max(1.0, sleeves);
+  const Sleeves sleeves(edges);
   for (const auto& [name, edge] : edges.edges) {
     if (!open_on_torso(name, edge)) {
-      if (edge.limb == "torso" && !shown && best < kBesideOuter) no_sleeves();
+      if (edge.limb == "torso" && !sleeves.shown && sleeves.best < kBesideOuter) no_sleeves();
       continue;
     }
     const FoundEdge& hem = edge.found;
     // Cloth that has another colour than what lies below it ends in colour on the arms, too.
-    if (sleeves > 0 && hem.contrast > kOwnColour && contrast < kNoColour) no_sleeves();
-    const bool crotch = at_fork(hem);
-    const bool sure = crotch ? hem.coverage >= kLeastCoverage && hem.score >= kStrongScore
-                             : hem.coverage >= kSureCoverage && hem.score >= kSureScore;
-    if (sure && (sleeves == 0 ? !crotch : best >= (crotch ? kLikelyScore : kFaintScore))) continue;
+    if (sleeves.count > 0 && hem.contrast > kOwnColour && sleeves.contrast < kNoColour)
+      no_sleeves();
+    if (sleeves.mean < kProvenSleeves && hangs_from_waist(hem)) other_garment();
+    const bool crotch = at_fork(hem) && !body.fork_is_garment;
+    if (hem.coverage >= kClearCoverage && hem.score >= (crotch ? kStrongScore : kClearScore) &&
+        (sleeves.count == 0 || sleeves.best >= kAnySleeve))
+      continue;
     // Noise makes cuffs of elbows and a hem of the crotch, but not much of either.
-    if (shown && shows(hem) && (!crotch || best >= kSureScore || hem.score >= kSureScore)) continue;
-    if (mean >= kSureScore && hem.coverage >= kFaintCoverage && hem.score >= kLeastScore && !crotch)
+    if (sleeves.shown && shows(hem) && hem.score >= (crotch ? kClearScore : kPlainScore)) continue;
+    if (sleeves.mean >= kBothSleeves && hem.coverage >= kFaintCoverage &&
+        hem.score >= kFaintScore && !crotch)
       continue;
     if (shows(hem)) no_sleeves();
     missing(name, hem);

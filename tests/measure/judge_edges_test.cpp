@@ -33,6 +33,10 @@ struct Case {
   Case& torso(const char* name, double at, double coverage, double score, double contrast = 0) {
     return add(name, edge("torso", std::string(name) == "hem", at, coverage, score, contrast));
   }
+  Case& waist_of_other(double at, double coverage, double score) {
+    edges.top_of_other = edge("torso", false, at, coverage, score).found;
+    return *this;
+  }
   Case& cuffs(double coverage, double score, double contrast = 0) {
     add("left_cuff", edge("left_arm", false, 0.1, coverage, score, contrast));
     return add("right_cuff", edge("right_arm", false, 0.1, coverage, score, contrast));
@@ -74,8 +78,10 @@ TEST(JudgeEdges, WhatWasSaidOrIsCoveredNeedNotShow) {
 }
 
 TEST(JudgeTshirt, NeedsHemAndSleevesUnlessOneIsBeyondDoubt) {
-  EXPECT_TRUE(Case(false).torso("hem", 1, 0.9, 0.9).cuffs(0.9, 0.9).worn());
-  EXPECT_TRUE(Case(false).torso("hem", 1, 0.95, 1.1).cuffs(0.6, 0.7).worn());
+  EXPECT_TRUE(Case(false).torso("hem", 1, 0.84, 0.97).cuffs(0.9, 0.9).worn());
+  EXPECT_FALSE(Case(false).torso("hem", 1, 0.9, 0.9).cuffs(0.9, 0.9).worn());
+  EXPECT_TRUE(Case(false).torso("hem", 1, 0.95, 1.1).cuffs(0.6, 0.55).worn());
+  EXPECT_TRUE(Case(false).torso("hem", 0.82, 0.95, 1.1).cuffs(0.7, 0.7).worn());
   EXPECT_TRUE(Case(false).torso("hem", 1, 0.65, 0.9).cuffs(0.7, 1.1).worn());
   EXPECT_FALSE(Case(false).torso("hem", 1, 0.9, 0.9).cuffs(0.6, 0.7).worn());
   EXPECT_FALSE(Case(false).torso("hem", 1, 0.95, 1.1).cuffs(0.6, 0.4).worn());
@@ -87,6 +93,39 @@ TEST(JudgeTshirt, NeedsHemAndSleevesUnlessOneIsBeyondDoubt) {
 TEST(JudgeTshirt, ACrotchWithElbowsIsNone) {
   EXPECT_FALSE(Case(false).torso("hem", 0.85, 0.95, 0.95).cuffs(0.9, 0.9).worn());
   EXPECT_TRUE(Case(false).torso("hem", 0.85, 0.95, 1.3).cuffs(0.9, 0.9).worn());
+  EXPECT_FALSE(Case(false).torso("hem", 0.85, 1, 1.3).cuffs(0.7, 0.9).worn());
+  EXPECT_TRUE(Case(false).torso("hem", 0.85, 1, 1.6).cuffs(0.7, 0.9).worn());
+}
+
+TEST(JudgeTshirt, AHemThatJoinsTheLegsIsNoCrotch) {
+  EXPECT_TRUE(Case(true).torso("hem", 0.52, 0.9, 0.96).cuffs(0.9, 0.9).worn());
+  EXPECT_FALSE(Case(false).torso("hem", 0.82, 0.9, 0.96).cuffs(0.9, 0.9).worn());
+}
+
+// The side that lies higher is the cloth: at its top edge a skirt looks more like a top edge, at
+// its hem a T-shirt more like a hem.
+TEST(JudgeTshirt, ASkirtsTopEdgeIsNoHem) {
+  const auto seen_as = [](double hem, double top) {
+    return Case(false).torso("hem", 1, 1, hem).cuffs(1, 1.1).waist_of_other(1.02, 1, top);
+  };
+  EXPECT_TRUE(seen_as(1.5, 1.3).worn());
+  const Case skirt = seen_as(1.3, 1.5);
+  EXPECT_FALSE(skirt.worn());
+  EXPECT_NE(skirt.message.find("102 cm above the floor it shows the top edge"), std::string::npos);
+}
+
+TEST(JudgeTshirt, AWaistBetweenHemAndSleevesIsASkirts) {
+  const auto with_waist = [](double coverage, double score) {
+    return Case(true).torso("hem", 0.52, 1, 1.2).cuffs(0.9, 0.9).waist_of_other(1, coverage, score);
+  };
+  EXPECT_FALSE(with_waist(0.95, 0.8).worn());
+  EXPECT_TRUE(with_waist(0.95, 0.4).worn());  // what bodies and folds show
+  EXPECT_TRUE(with_waist(0.5, 0.8).worn());
+}
+
+TEST(JudgeTshirt, SleevesBeyondDoubtProveAShirtWhateverElseThereIs) {
+  Case both = Case(true).torso("hem", 0.52, 1, 1.2).cuffs(1, 1.8).waist_of_other(1, 1, 0.8);
+  EXPECT_TRUE(both.worn());
 }
 
 TEST(JudgeTshirt, ColourThatEndsAtTheHemEndsAtTheSleeves) {
