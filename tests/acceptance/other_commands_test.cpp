@@ -101,7 +101,8 @@ TEST(Render, DrawsFourSidesOfAnythingReadable) {
 TEST(Report, IsMadeAgainWithTheSameBytes) {
   const TemporaryFolder home;
   const fs::path out = home.path() / "out";
-  ASSERT_EQ(run_program({"fit", example("skirt-1.mesh.ply"), "--garment", "skirt", "--out", out},
+  ASSERT_EQ(run_program({"fit", example("skirt-1.mesh.ply"), "--garment", "skirt", "--method",
+                         "direct", "--out", out},
                         kFitSeconds)
                 .status,
             0);

@@ -22,16 +22,17 @@ Json result_in(const fs::path& folder) { return Json::parse(bytes_of(folder / "r
 /// A skirt fitted once, with truth and true labels; its scan is gone.
 class Refit : public testing::Test {
  protected:
+  explicit Refit(std::string method = "direct") : method_(std::move(method)) {}
   void SetUp() override {
     const fs::path scan = home_.path() / "scan.ply";
     fs::copy_file(example("skirt-1.mesh.ply"), scan);
     std::ofstream(home_.path() / "truth.csv") << "scan,measurement,value_cm,tol_plus_cm\n"
                                                  "scan.ply,length,54,0.5\n";
-    const ProgramRun run =
-        run_program({"fit", scan, "--garment", "skirt", "--out", first_, "--no-timing",
-                     "--ground-truth", home_.path() / "truth.csv", "--ground-truth-labels",
-                     example("skirt-1.mesh.labels.u8"), "--hint", "waist_edge=101"},
-                    kFitSeconds);
+    const ProgramRun run = run_program(
+        {"fit", scan, "--garment", "skirt", "--out", first_, "--no-timing", "--ground-truth",
+         home_.path() / "truth.csv", "--ground-truth-labels", example("skirt-1.mesh.labels.u8"),
+         "--hint", "waist_edge=101", "--method", method_},
+        kFitSeconds);
     ASSERT_EQ(run.status, 0) << run.err;
     fs::remove(scan);
     fs::remove(home_.path() / "truth.csv");
@@ -42,11 +43,17 @@ class Refit : public testing::Test {
     return run_program(all, kFitSeconds);
   }
 
+  const std::string method_;
   const TemporaryFolder home_;
   const fs::path first_ = home_.path() / "first", second_ = home_.path() / "second";
 };
 
-TEST_F(Refit, WithoutChangesGivesTheSameResult) {
+class RefitOfTheDefaultMethod : public Refit {
+ protected:
+  RefitOfTheDefaultMethod() : Refit("joint") {}
+};
+
+TEST_F(RefitOfTheDefaultMethod, WithoutChangesGivesTheSameResult) {
   const ProgramRun run = refit({"--out", second_});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, (second_ / "report.html").string() + "\n");
