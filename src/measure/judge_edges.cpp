@@ -150,7 +150,9 @@ void Judge::tshirt() const {
         (sleeves.count == 0 || sleeves.best >= kAnySleeve))
       continue;
     // Noise makes cuffs of elbows and a hem of the crotch, but not much of either.
-    if (sleeves.shown && shows(hem) && hem.score >= (crotch ? kClearScore : kPlainScore)) continue;
+    const double plain = crotch ? kClearScore : kPlainScore;
+    if (sleeves.shown && shows(hem) && (hem.score >= plain || sleeves.best >= kClearScore))
+      continue;
     if (sleeves.mean >= kBothSleeves && hem.coverage >= kFaintCoverage &&
         hem.score >= kFaintScore && !crotch)
       continue;

@@ -66,12 +66,15 @@ TEST_F(ReportFolder, GarmentsStandInTheFilesOwnFrame) {
 }
 
 TEST_F(ReportFolder, TheSegmentedScanKeepsVerticesAndTriangles) {
+  analysis_.label_probability.assign(analysis_.labels.size(), 1.0F);
+  analysis_.label_probability[4] = 0.5F;
   const Mesh mesh = read_ply(files().at("segmented.ply"));
   EXPECT_EQ(mesh.triangles, analysis_.scan.mesh.triangles);
   ASSERT_EQ(mesh.positions.size(), analysis_.scan.mesh.positions.size());
   ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
   EXPECT_NE(mesh.colours[0], mesh.colours[1]);
   EXPECT_EQ(mesh.colours[1], mesh.colours[2]);
+  EXPECT_NE(mesh.colours[2], mesh.colours[4]) << "an unsure label is shaded";
 }
 
 TEST_F(ReportFolder, ACloudStaysACloud) {
