@@ -19,16 +19,16 @@ constexpr float kDecided = 5.0F;  // log-odds from which neighbours hardly overr
 constexpr double kIsland = 1e-3;  // m^2, smaller pieces go to what surrounds them
 constexpr double kFirm = 1.5;     // mean log-odds from which they are none
 
-/// How often a label of this margin was right, on a fifth of 200 made people (direct drapes, so
-/// that edges taken wrongly count).
-constexpr std::array<std::pair<double, double>, 8> kRight = {{{0, 0.52},
-                                                              {1.5, 0.56},
-                                                              {2.5, 0.63},
-                                                              {3.5, 0.70},
-                                                              {4.5, 0.79},
-                                                              {5.5, 0.93},
-                                                              {7, 0.98},
-                                                              {11, 0.987}}};
+/// How often a label of this margin was right, on 186 made people fitted by the method joint, edges
+/// taken wrongly included (tests/benchmarks/label_reliability.py).
+constexpr std::array<std::pair<double, double>, 8> kRight = {{{0, 0.55},
+                                                              {1.5, 0.59},
+                                                              {2.5, 0.68},
+                                                              {3.5, 0.77},
+                                                              {4.5, 0.86},
+                                                              {5.5, 0.95},
+                                                              {7, 0.985},
+                                                              {11, 0.99}}};
 
 /// Probability that a label is right by its margin: straight between the entries of kRight.
 double probability(double margin) {
