@@ -55,6 +55,7 @@ std::vector<Gaps> finding_rows(std::vector<Finding> findings) {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
   std::vector<Gaps> rows;
+  rows.reserve(findings.size());
   for (const Finding& finding : findings) rows.push_back(finding_row(finding));
   return rows;
 }
