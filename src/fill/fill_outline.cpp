@@ -40,6 +40,7 @@ std::vector<std::array<int, 3>> triangulated(const std::vector<Vec3>& outline) {
       CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(outline.size() >
                                                                                     kMostForAll));
   std::vector<std::array<int, 3>> out;
+  out.reserve(found.size());
   for (const auto& t : found) out.push_back({t.first, t.second, t.third});
   return out;
 }
