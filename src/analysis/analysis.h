@@ -19,6 +19,7 @@ struct WornSources {
   double fit = 0;              // the dimension that explains the garment on the scan as a whole
   double line = 0;             // the template's line on the draped garment
   std::optional<double> scan;  // measured on the scan itself, without the garment
+  bool hanging = false;        // `scan` runs along folds that hang: see ObservedLength
 };
 
 /// One named dimension of one garment, as found. All lengths in metres.

@@ -110,7 +110,7 @@ JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::u
   drop_legs(person, target);
   for (const auto& [name, edge] : edges.edges) {
     const LimbView& view = edges.limbs.at(edge.limb);
-    JointTarget::Edge seen{edge_points(edge.found, view.map, view.axis), edge.found.standard_error};
+    JointTarget::Edge seen{edge_curve(edge, view), edge.found.standard_error};
     if (edge.covered) {
       const auto guess = hidden.find(name);
       if (guess == hidden.end()) continue;

@@ -126,7 +126,7 @@ std::vector<EdgeCurve> edge_curves(const GarmentEdges& edges) {
     const LimbView& view = edges.limbs.at(edge.limb);
     EdgeCurve curve;
     curve.name = name;
-    curve.points = edge_points(edge.found, view.map, view.axis);
+    curve.points = edge_curve(edge, view);
     curve.standard_error = edge.found.standard_error;
     curve.coverage = edge.found.coverage;
     curve.evidence = edge.covered ? "covered" : edge.found.evidence;

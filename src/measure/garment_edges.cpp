@@ -166,6 +166,7 @@ struct Finder {
   void find_on_arm(const PatternEdge& edge);
   void choose_cuffs();
   void find_on_neck(const PatternEdge& edge);
+  void find_folds();
 };
 
 /// Where the map of an arm begins: higher up the arm where it hides the armpit that its axis counts
@@ -356,6 +357,19 @@ void Finder::find_on_neck(const PatternEdge& edge) {
   if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
 }
 
+/// Folds that hang from the hem of a garment without sleeves.
+void Finder::find_folds() {
+  if (out.upper_body) return;
+  const LimbView& torso = out.limbs.at("torso");
+  double top = body.neck;
+  for (const auto& [name, edge] : out.edges)
+    if (edge.limb == "torso" && !edge.garment_above && edge.found.found())
+      top = std::min(top, *std::min_element(edge.found.s.begin(), edge.found.s.end()));
+  for (auto& [name, edge] : out.edges)
+    if (edge.limb == "torso" && edge.garment_above && edge.found.found() && !edge.covered)
+      edge.folds = find_hanging_folds(samples, body, torso, edge, taken, top);
+}
+
 }  // namespace
 
 bool beside_torso(const LimbView& torso, const Vec3& p) {
@@ -381,6 +395,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
   finder.choose_cuffs();
   finder.find_top_of_other();
   judge_edges(finder.out, body, title, said);
+  finder.find_folds();
   return std::move(finder.out);
 }
 

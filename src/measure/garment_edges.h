@@ -6,6 +6,7 @@
 
 #include "garment/pattern.h"
 #include "measure/edge_finder.h"
+#include "measure/hanging_folds.h"
 
 namespace regarment {
 
@@ -22,6 +23,7 @@ struct GarmentEdge {
   FoundEdge found;                     // the most probable place
   std::vector<EdgeHypothesis> rivals;  // the others, likeliest first; their weights and that of
                                        // `found` add up to 1; empty when there is one answer
+  HangingFolds folds;                  // of a hem, lower than `found`
   bool covered =
       false;  // hidden by a garment that was taken off before: this is where it is cut off
 };

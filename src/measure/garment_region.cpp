@@ -25,10 +25,13 @@ double GarmentRegion::depth_on_torso(const Vec3& p) const {
   const LimbPoint at = torso.axis.locate(p);
   const int column = column_of(torso.map, at.phi);
   double depth = -kOutside;
+  bool on_fold = false;
   for (const auto& [name, edge] : edges_.edges) {
     if (edge.limb == "torso") {
       const double beyond = edge.covered ? kCoveredReach : 0.0;
-      const double s = edge.found.s[column];
+      const double fold = edge.folds.at(column, at.r);
+      const double s = std::fmin(edge.found.s[column], fold);
+      on_fold = on_fold || !std::isnan(fold);
       depth = std::min(depth, beyond + (edge.garment_above ? at.s - s : s - at.s));
     } else if (edge.limb == "neck") {
       const LimbView& neck = edges_.limbs.at("neck");
@@ -37,13 +40,22 @@ double GarmentRegion::depth_on_torso(const Vec3& p) const {
       depth = std::min(depth, ray.s - edge.found.s[column_of(neck.map, ray.phi)]);
     }
   }
-  if (depth <= 0) return depth;
+  if (depth <= 0 || on_fold) return depth;
   const double armpit = std::max(body_.armpit[0], body_.armpit[1]);
   if (armpit <= 0 || p.y() < armpit - 0.02) {
     const double outer = outer_radius(torso.map, at.s, at.phi);
     if (outer > 0 && at.r < outer - kUnder) return kOutside;
   }
   return depth;
+}
+
+bool GarmentRegion::on_fold(const Vec3& p) const {
+  const LimbView& torso = edges_.limbs.at("torso");
+  const LimbPoint at = torso.axis.locate(p);
+  const int column = column_of(torso.map, at.phi);
+  return std::any_of(edges_.edges.begin(), edges_.edges.end(), [&](const auto& edge) {
+    return edge.second.limb == "torso" && !std::isnan(edge.second.folds.at(column, at.r));
+  });
 }
 
 double GarmentRegion::depth_on_arm(const Vec3& p, int side) const {
@@ -73,7 +85,7 @@ double GarmentRegion::depth(const Vec3& p, BodyPart part) const {
     case BodyPart::Trunk:
       return depth_on_torso(p);
     case BodyPart::Loose:
-      return beside_torso(edges_.limbs.at("torso"), p) ? depth_on_torso(p) : kOutside;
+      return beside_torso(edges_.limbs.at("torso"), p) || on_fold(p) ? depth_on_torso(p) : kOutside;
   }
   return kOutside;
 }

@@ -19,6 +19,7 @@ class GarmentRegion {
 
  private:
   double depth_on_torso(const Vec3& p) const;
+  bool on_fold(const Vec3& p) const;
   double depth_on_arm(const Vec3& p, int side) const;
 
   const GarmentEdges& edges_;

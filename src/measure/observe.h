@@ -14,6 +14,7 @@ struct ObservedLength {
   double value = 0;               // m, worn; of an unseen path what shows of it, or 0
   double standard_deviation = 0;  // m
   bool seen = false;              // false: the scan does not show it
+  bool hanging = false;           // runs along folds that hang, where levels miss cloth
 };
 
 /// Measures what the template says can be seen, on the garment between the edges found. `cloth`

@@ -12,12 +12,14 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kGirthShare = 0.006, kLeastDeviation = 0.003;  // of a girth, and m
 // Of what was added for folds not seen into, and of what runs over gaps.
 constexpr double kMissedShare = 0.4, kBridgedShare = 0.3;
-constexpr double kLevelStep = 0.01;    // m between levels
-constexpr double kFirstLevel = 0.01;   // m, nearer to an edge a scan rounds it off
-constexpr double kEdgeWindow = 0.07;   // m, levels that tell the girth at an edge
-constexpr double kLevelWindow = 0.06;  // m, those that tell the girth at a level, on both sides
-constexpr double kBelowArmpit = 0.02;  // m, where the trunk's own cloth begins
-constexpr double kChestReach = 0.06;   // m further down, levels that tell the girth of the chest
+constexpr double kHanging = 1.05;       // times what levels tell: folds that hang add cloth
+constexpr double kHangingShare = 0.05;  // of an edge along folds that hang
+constexpr double kLevelStep = 0.01;     // m between levels
+constexpr double kFirstLevel = 0.01;    // m, nearer to an edge a scan rounds it off
+constexpr double kEdgeWindow = 0.07;    // m, levels that tell the girth at an edge
+constexpr double kLevelWindow = 0.06;   // m, those that tell the girth at a level, on both sides
+constexpr double kBelowArmpit = 0.02;   // m, where the trunk's own cloth begins
+constexpr double kChestReach = 0.06;    // m further down, levels that tell the girth of the chest
 
 double deviation_of(const FittedGirth& fit) {
   return std::hypot(kGirthShare * fit.value + kLeastDeviation, fit.spread,
@@ -100,7 +102,12 @@ ObservedLength Observer::torso_girth(const Observation& o, const GarmentEdge& e)
   }
   if (!fit.found) return {&o, 0, 0, false};
   const double unseen_edge = 0.05 * (1 - e.found.coverage) * fit.value;
-  return {&o, fit.value, deviation_of(fit) + unseen_edge, true};
+  double value = fit.value, deviation = deviation_of(fit) + unseen_edge;
+  // Levels do not follow folds that hang lower than the hem beside them; the edge itself does.
+  const double along = e.folds.empty() ? 0 : closed_length(edge_curve(e, limb(e)));
+  const bool hanging = along > kHanging * value;
+  if (hanging) value = along, deviation = std::hypot(deviation, kHangingShare * value);
+  return {&o, value, deviation, true, hanging};
 }
 
 /// The girth at a level of the flat garment, counted from `e`.
