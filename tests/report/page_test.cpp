@@ -195,7 +195,9 @@ TEST(Page, EachLookCanBeChosenWithoutAScript) {
   for (const char* kind : {"segmentation", "placement", "drape", "deviation", "filled"}) {
     const std::string name = kind;
     EXPECT_EQ(count(page, "id=\"look-" + name + "\""), 1u) << kind;
-    EXPECT_EQ(count(page, "#look-" + name + ":checked ~ ." + name), 1u) << kind;
+    std::string rule = "#look-";
+    rule.append(name).append(":checked ~ .").append(name);
+    EXPECT_EQ(count(page, rule), 1u) << kind;
     EXPECT_EQ(count(page, "class=\"look after " + name + "\""), 1u) << kind;
   }
 }
