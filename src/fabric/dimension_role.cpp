@@ -5,16 +5,6 @@
 namespace regarment {
 namespace {
 
-// Whether a length grows with a dimension as that dimension itself.
-bool gives(const GarmentTemplate& garment, const Dimensions& dimensions, const std::string& formula,
-           const std::string& name) {
-  constexpr double kNudge = 1e-4;  // m
-  Dimensions more = dimensions;
-  more[name] += kNudge;
-  const double change = garment.evaluate(formula, more) - garment.evaluate(formula, dimensions);
-  return change > 0.5 * kNudge;
-}
-
 // Mean t of an edge of the flat pattern, m: small is high.
 double depth(const Pattern& pattern, const PatternEdge& edge) {
   double sum = 0;
@@ -61,7 +51,7 @@ DimensionRole dimension_role(const GarmentTemplate& garment, const Dimensions& d
   bool found = false;
   DimensionRole out = round ? DimensionRole::Hoop : DimensionRole::Length;
   for (const Observation& observation : garment.observations()) {
-    if (!gives(garment, dimensions, observation.equals, name)) continue;
+    if (!garment.gives(observation.equals, name, dimensions)) continue;
     const DimensionRole role = role_seen(pattern, observation);
     if (!found || role == DimensionRole::Hoop) out = role;
     found = true;

@@ -10,27 +10,19 @@
 
 #include "base/error.h"
 #include "fabric/level_section.h"
+#include "fabric/strips.h"
 #include "garment/drawn_line.h"
-#include "garment/plane.h"
+#include "garment/worn_normals.h"
 
 namespace regarment {
 namespace {
 
-constexpr double kStep = 0.02;      // m between strips
-constexpr double kParallel = 0.05;  // rad within which lines run alike
-constexpr double kDepends = 0.02;   // share below which a dimension does not matter
-constexpr double kKnown = 0.5;      // least sum of shares of a strip that tells of dimensions
-constexpr double kNudge = 1e-3;     // relative change of a dimension, for the shares
-constexpr double kMostTurn = 1.5;   // rad between two vertices; more is a crease, not an arc
+constexpr double kDepends = 0.02;  // share below which a dimension does not matter
+constexpr double kKnown = 0.5;     // least sum of shares of a strip that tells of dimensions
+constexpr double kNudge = 1e-3;    // relative change of a dimension, for the shares
+constexpr double kMostTurn = 1.5;  // rad between two vertices; more is a crease, not an arc
 
-using Edges2 = Eigen::Matrix2d;
 using Edges3 = Eigen::Matrix<double, 3, 2>;
-
-Edges2 flat_sides(const Pattern& pattern, const Triangle& t) {
-  Edges2 out;
-  out << pattern.flat[t[1]] - pattern.flat[t[0]], pattern.flat[t[2]] - pattern.flat[t[0]];
-  return out;
-}
 
 Edges3 worn_sides(const std::vector<Vec3>& x, const Triangle& t) {
   Edges3 out;
@@ -38,121 +30,14 @@ Edges3 worn_sides(const std::vector<Vec3>& x, const Triangle& t) {
   return out;
 }
 
-bool run_alike(const std::vector<DrawnLine>& a, const std::vector<DrawnLine>& b) {
-  return std::any_of(a.begin(), a.end(), [&](const DrawnLine& p) {
-    return std::any_of(b.begin(), b.end(), [&](const DrawnLine& q) {
-      const Vec2 u = p.along(), v = q.along();
-      return p.panel == q.panel && std::abs(u.x() * v.y() - u.y() * v.x()) < kParallel;
-    });
-  });
-}
-
-// A triangle that belongs to a strip: where it lies and which way the strip runs through it.
-struct Piece {
-  std::size_t triangle = 0;
-  double position = 0;  // m
-  double area = 0;      // m^2
-  Vec2 along = Vec2::Zero();
-  std::array<double, 3> corners = {};  // m, positions of the triangle's corners
-};
-
-// Of a line and its mirror image on one panel, the one on the triangle's side.
-const DrawnLine* line_of(const std::vector<DrawnLine>& lines, int panel, const Vec2& middle) {
-  const DrawnLine* out = nullptr;
-  double nearest = 0;
-  for (const DrawnLine& line : lines) {
-    const double distance = (0.5 * (line.from + line.to) - middle).norm();
-    if (line.panel != panel || (out != nullptr && distance >= nearest)) continue;
-    out = &line;
-    nearest = distance;
-  }
-  return out;
-}
-
-// How far a point of a panel lies across the strips, m.
-double position_of(const DrawnLine& line, const Vec2& point) {
-  const Vec2 u = line.along(), off = point - line.from;
-  // Mirrored lines run the other way round; down the garment is positive on all of them.
-  const double sign = line.from.x() + line.to.x() < -1e-9 ? -1 : 1;
-  return sign * (u.x() * off.y() - u.y() * off.x());
-}
-
-std::vector<Piece> pieces_along(const Pattern& pattern, const std::vector<DrawnLine>& lines) {
-  std::vector<Piece> out;
-  for (std::size_t k = 0; k < pattern.triangles.size(); ++k) {
-    const Triangle& t = pattern.triangles[k];
-    const Vec2 middle = (pattern.flat[t[0]] + pattern.flat[t[1]] + pattern.flat[t[2]]) / 3;
-    const DrawnLine* line = line_of(lines, pattern.panel[t[0]], middle);
-    const double area = 0.5 * std::abs(flat_sides(pattern, t).determinant());
-    if (line == nullptr || area <= 0) continue;
-    Piece piece{k, position_of(*line, middle), area, line->along(), {}};
-    for (std::size_t c = 0; c < 3; ++c) piece.corners[c] = position_of(*line, pattern.flat[t[c]]);
-    out.push_back(piece);
-  }
-  return out;
-}
-
-// The level of a dimension's line among strips along `lines`; nothing when it runs otherwise.
-std::optional<double> level_of(const std::vector<DrawnLine>& lines,
-                               const std::vector<DrawnLine>& of_dimension) {
-  if (!run_alike(lines, of_dimension)) return std::nullopt;
-  for (const DrawnLine& line : of_dimension) {
-    const Vec2 middle = 0.5 * (line.from + line.to);
-    const DrawnLine* beside = line_of(lines, line.panel, middle);
-    if (beside != nullptr) return position_of(*beside, middle);
-  }
-  return std::nullopt;
-}
-
-// Adds up what the strips see of one quantity of their triangles.
-class Strips {
- public:
-  explicit Strips(const std::vector<Piece>& pieces) : pieces_(pieces) {
-    double low = pieces.front().position, high = low;
-    for (const Piece& piece : pieces) {
-      low = std::min(low, piece.position);
-      high = std::max(high, piece.position);
-    }
-    low_ = low;
-    high_ = high;
-    count_ = 2 + static_cast<std::size_t>((high - low) / kStep);
-  }
-
-  std::size_t count() const { return count_; }
-  double position(std::size_t strip) const { return low_ + kStep * static_cast<double>(strip); }
-
-  // The position itself or, at an end, the nearest where there is cloth on all sides.
-  double within(double position) const { return std::clamp(position, low_, high_); }
-
-  // Sum over a strip's triangles of area times value; each shared out to the two strips beside it.
-  template <typename Value>
-  std::vector<double> sum(const Value& value) const {
-    std::vector<double> out(count_, 0.0);
-    for (const Piece& piece : pieces_) {
-      const double at = (piece.position - low_) / kStep;
-      const auto strip = std::min(static_cast<std::size_t>(at), count_ - 2);
-      const double right = at - static_cast<double>(strip);
-      const double amount = piece.area * value(piece);
-      out[strip] += (1 - right) * amount;
-      out[strip + 1] += right * amount;
-    }
-    return out;
-  }
-
- private:
-  const std::vector<Piece>& pieces_;
-  double low_ = 0, high_ = 0;  // m, of the outermost triangles' middles
-  std::size_t count_ = 0;
-};
-
 // How much longer the cloth at one level is than a tape pulled tight round it, as a logarithm; of
 // all limbs it goes round together.
 double fold_at(const Pattern& pattern, const std::vector<Vec3>& draped,
-               const std::vector<Piece>& pieces, const Strips& strips, double position) {
+               const std::vector<StripPiece>& pieces, const Strips& strips, double position) {
   const double level = strips.within(position);
   std::map<std::string, std::vector<Vec3>> sections;
   double length = 0;
-  for (const Piece& piece : pieces) {
+  for (const StripPiece& piece : pieces) {
     const Triangle& t = pattern.triangles[piece.triangle];
     std::vector<Vec3> ends;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -195,10 +80,10 @@ std::vector<double> shares(const GarmentTemplate& garment, const Dimensions& wor
   Pattern moved = pattern;
   const double nudge = nudged(garment, worn, name, moved);
   if (nudge == 0) return std::vector<double>(strips.count(), 0.0);
-  const std::vector<double> area = strips.sum([](const Piece&) { return 1.0; });
-  std::vector<double> out = strips.sum([&](const Piece& piece) {
+  const std::vector<double> area = strips.sum([](const StripPiece&) { return 1.0; });
+  std::vector<double> out = strips.sum([&](const StripPiece& piece) {
     const Triangle& t = pattern.triangles[piece.triangle];
-    const Edges2 map = flat_sides(moved, t) * flat_sides(pattern, t).inverse();
+    const Eigen::Matrix2d map = flat_sides(moved, t) * flat_sides(pattern, t).inverse();
     return (map * piece.along).norm() - 1;
   });
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -208,23 +93,19 @@ std::vector<double> shares(const GarmentTemplate& garment, const Dimensions& wor
 }
 
 // Normals of the worn cloth, one per pattern vertex, unit or zero.
-std::vector<Vec3> worn_normals(const Pattern& pattern, const std::vector<Vec3>& draped) {
-  std::vector<Vec3> sum(static_cast<std::size_t>(pattern.particle_count), Vec3::Zero());
-  for (const Triangle& t : pattern.triangles) {
-    const Vec3 normal = (draped[t[1]] - draped[t[0]]).cross(draped[t[2]] - draped[t[0]]);
-    for (const auto v : t) sum[static_cast<std::size_t>(pattern.particle[v])] += normal;
-  }
+std::vector<Vec3> vertex_normals(const Pattern& pattern, const std::vector<Vec3>& draped) {
+  std::vector<Vec3> particles(static_cast<std::size_t>(pattern.particle_count), Vec3::Zero());
+  for (std::size_t v = 0; v < draped.size(); ++v) particles[pattern.particle[v]] = draped[v];
+  const std::vector<Vec3> normals = worn_normals(pattern, particles);
   std::vector<Vec3> out;
-  for (const int p : pattern.particle) {
-    out.push_back(sum[static_cast<std::size_t>(p)].stableNormalized());
-  }
+  for (const int p : pattern.particle) out.push_back(normals[static_cast<std::size_t>(p)]);
   return out;
 }
 
 // How much longer a strip is within a triangle than flat. A triangle is a chord of the curved
 // cloth: over an arc that turns by a, the arc is longer by a^2 / 24.
 double stretch_within(const Pattern& pattern, const std::vector<Vec3>& draped,
-                      const std::vector<Vec3>& normals, const Piece& piece) {
+                      const std::vector<Vec3>& normals, const StripPiece& piece) {
   const Triangle& t = pattern.triangles[piece.triangle];
   const Vec2 across = flat_sides(pattern, t).inverse() * piece.along;
   const double chord = (worn_sides(draped, t) * across).norm();
@@ -235,7 +116,7 @@ double stretch_within(const Pattern& pattern, const std::vector<Vec3>& draped,
 
 // Where the strips go round the limb, from and to, m: on the longer side of those that end at a
 // seam to another limb.
-std::array<double, 2> whole_part(const Pattern& pattern, const std::vector<Piece>& pieces) {
+std::array<double, 2> whole_part(const Pattern& pattern, const std::vector<StripPiece>& pieces) {
   const auto limb = [&](std::size_t v) {
     return pattern.panel_limbs[static_cast<std::size_t>(pattern.panel[v])];
   };
@@ -247,7 +128,7 @@ std::array<double, 2> whole_part(const Pattern& pattern, const std::vector<Piece
     if (first[p] != limb(v)) between[p] = true;
   }
   double low = 1e9, high = -1e9, from = 1e9, to = -1e9;
-  for (const Piece& piece : pieces) {
+  for (const StripPiece& piece : pieces) {
     low = std::min(low, piece.position);
     high = std::max(high, piece.position);
     for (const auto v : pattern.triangles[piece.triangle]) {
@@ -256,21 +137,21 @@ std::array<double, 2> whole_part(const Pattern& pattern, const std::vector<Piece
       to = std::max(to, piece.position);
     }
   }
-  if (from > to) return {low - kStep, high + kStep};
-  if (from - low > high - to) return {low - kStep, from};
-  return {to, high + kStep};
+  if (from > to) return {low - Strips::kStep, high + Strips::kStep};
+  if (from - low > high - to) return {low - Strips::kStep, from};
+  return {to, high + Strips::kStep};
 }
 
 HoopFamily family_of(const GarmentTemplate& garment, const Dimensions& worn, const Pattern& pattern,
                      const std::vector<Vec3>& draped, const std::vector<DrawnLine>& lines,
                      const std::vector<std::string>& candidates) {
-  const std::vector<Piece> pieces = pieces_along(pattern, lines);
+  const std::vector<StripPiece> pieces = strip_pieces(pattern, lines);
   if (pieces.empty()) return {};
   const Strips strips(pieces);
-  const std::vector<double> area = strips.sum([](const Piece&) { return 1.0; });
-  const std::vector<Vec3> normals = worn_normals(pattern, draped);
+  const std::vector<double> area = strips.sum([](const StripPiece&) { return 1.0; });
+  const std::vector<Vec3> normals = vertex_normals(pattern, draped);
   const std::vector<double> length = strips.sum(
-      [&](const Piece& piece) { return stretch_within(pattern, draped, normals, piece); });
+      [&](const StripPiece& piece) { return stretch_within(pattern, draped, normals, piece); });
   HoopFamily out;
   std::vector<std::vector<double>> share;
   for (const std::string& name : candidates) {
@@ -281,7 +162,8 @@ HoopFamily family_of(const GarmentTemplate& garment, const Dimensions& worn, con
       continue;
     }
     out.dimensions.push_back(name);
-    const std::optional<double> level = level_of(lines, drawn_lines(garment, worn, pattern, name));
+    const std::optional<double> level =
+        level_among(lines, drawn_lines(garment, worn, pattern, name));
     out.folds.push_back(level ? fold_at(pattern, draped, pieces, strips, *level) : 0.0);
   }
   const std::array<double, 2> whole = whole_part(pattern, pieces);

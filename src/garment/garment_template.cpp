@@ -72,6 +72,14 @@ double GarmentTemplate::evaluate(const std::string& formula, const Dimensions& d
   return NameScope(*data_, dimensions).value(Formula::parse(formula)) / data_->units_in_meter;
 }
 
+bool GarmentTemplate::gives(const std::string& formula, const std::string& name,
+                            const Dimensions& dimensions) const {
+  constexpr double kNudge = 1e-4;  // m
+  Dimensions more = dimensions;
+  more[name] += kNudge;
+  return evaluate(formula, more) - evaluate(formula, dimensions) > 0.5 * kNudge;
+}
+
 Dimensions GarmentTemplate::typical() const {
   Dimensions dimensions;
   for (const Dimension& dimension : data_->dimensions)

@@ -70,6 +70,10 @@ class GarmentTemplate {
   /// Value of an observation's or any other length formula at these dimensions, m. Throws
   /// InvalidInput on unknown names, a missing dimension and a formula without a value there.
   double evaluate(const std::string& formula, const Dimensions& dimensions) const;
+  /// Whether a formula's length grows with the named dimension at least half as fast as it. Throws
+  /// as evaluate does.
+  bool gives(const std::string& formula, const std::string& name,
+             const Dimensions& dimensions) const;
   Dimensions typical() const;
   /// Throws UsageError naming the dimension, its value in cm and its bounds; or, when all are
   /// within bounds but together make no garment, what would have to change.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "garment/worn_normals.h"
 #include "joint/particle_mesh.h"
-#include "joint/worn_lines.h"
 
 namespace regarment {
 
@@ -19,7 +19,7 @@ void bound_inside(const std::vector<ClosestPoint>& outer, const std::vector<Vec3
                   const std::vector<double>& shown, const InsideOptions& options,
                   JointModel& model) {
   model.inside.clear();
-  const std::vector<Vec3> normals = cloth_normals(model.pattern(), x);
+  const std::vector<Vec3> normals = worn_normals(model.pattern(), x);
   const double patch = model.scales().patch;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (shown[i] >= 1) continue;

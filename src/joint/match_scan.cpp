@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "garment/worn_normals.h"
 #include "geometry/closed_curve.h"
 #include "geometry/closest_point.h"
 #include "geometry/parallel.h"
@@ -99,7 +100,7 @@ void match_scan(const JointTarget& target, const std::vector<Vec3>& x, const Mat
   model.surface.clear(), model.edges.clear();
   const std::vector<Triangle> triangles = particle_triangles(model.pattern());
   match_surface(target, triangles, x, options, model);
-  const std::vector<Vec3> normals = cloth_normals(model.pattern(), x);
+  const std::vector<Vec3> normals = worn_normals(model.pattern(), x);
   match_edges(target, normals, x, model);
   model.arcs.clear(), model.slack.clear();
   const std::vector<double> covered = coverage(model);

@@ -9,6 +9,7 @@
 #include "garment/drawn_line.h"
 #include "garment/plane.h"
 #include "garment/template_data.h"
+#include "garment/worn_normals.h"
 
 namespace regarment {
 namespace {
@@ -92,23 +93,12 @@ double arc_over_chord(const Vec3& chord, const Vec3& normal_a, const Vec3& norma
   return std::min(kMostArc, half / std::sin(half));
 }
 
-std::vector<Vec3> cloth_normals(const Pattern& pattern, const std::vector<Vec3>& particles) {
-  std::vector<Vec3> normals(particles.size(), Vec3::Zero());
-  for (const Triangle& t : pattern.triangles) {
-    const int a = pattern.particle[t[0]], b = pattern.particle[t[1]], c = pattern.particle[t[2]];
-    const Vec3 n = (particles[b] - particles[a]).cross(particles[c] - particles[a]);
-    normals[a] += n, normals[b] += n, normals[c] += n;
-  }
-  for (Vec3& n : normals) n = n.norm() > 1e-15 ? Vec3(n.normalized()) : Vec3::Zero();
-  return normals;
-}
-
 std::map<std::string, double> worn_lines(const GarmentTemplate& garment,
                                          const Dimensions& dimensions, const Pattern& pattern,
                                          const std::vector<Vec3>& positions) {
   std::vector<Vec3> particles(pattern.particle_count, Vec3::Zero());
   for (std::size_t v = 0; v < positions.size(); ++v) particles[pattern.particle[v]] = positions[v];
-  const std::vector<Vec3> normals = cloth_normals(pattern, particles);
+  const std::vector<Vec3> normals = worn_normals(pattern, particles);
   std::vector<WornPanel> panels;
   for (std::size_t p = 0; p < pattern.panel_names.size(); ++p)
     panels.emplace_back(pattern, positions, normals, static_cast<int>(p));

@@ -16,9 +16,6 @@ std::map<std::string, double> worn_lines(const GarmentTemplate& garment,
                                          const Dimensions& dimensions, const Pattern& pattern,
                                          const std::vector<Vec3>& positions);
 
-/// Outward unit normals of the particles, zero where there is none.
-std::vector<Vec3> cloth_normals(const Pattern& pattern, const std::vector<Vec3>& particles);
-
 /// Length of an arc over its chord, from unit normals at its ends: (phi / 2) / sin(phi / 2) of the
 /// angle phi between them in the plane of the chord. 1 where a normal is missing; at most 1.25.
 double arc_over_chord(const Vec3& chord, const Vec3& normal_a, const Vec3& normal_b);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "garment/springs.h"
+#include "garment/worn_normals.h"
 #include "geometry/closed_curve.h"
 
 namespace regarment {
@@ -43,17 +44,6 @@ Cloth cloth_samples(const SurfaceSamples& samples, const std::vector<std::uint8_
     out.normals.push_back(samples.normals[cells[i].second]);
   }
   return out;
-}
-
-std::vector<Vec3> particle_normals(const Pattern& pattern, const std::vector<Vec3>& x) {
-  std::vector<Vec3> normals(x.size(), Vec3::Zero());
-  for (const Triangle& t : pattern.triangles) {
-    const int a = pattern.particle[t[0]], b = pattern.particle[t[1]], c = pattern.particle[t[2]];
-    const Vec3 n = (x[b] - x[a]).cross(x[c] - x[a]);
-    normals[a] += n, normals[b] += n, normals[c] += n;
-  }
-  for (Vec3& n : normals) n = n.norm() > 1e-12 ? Vec3(n.normalized()) : Vec3::Zero();
-  return normals;
 }
 
 void pull_to_scan(const PointTree& tree, const Cloth& cloth, const std::vector<Vec3>& normals,
@@ -95,7 +85,7 @@ std::vector<Vec3> lay_on_scan(const Pattern& pattern, const std::vector<Vec3>& p
   for (std::size_t v = 0; v < placed.size(); ++v) x[pattern.particle[v]] = placed[v];
   const std::vector<Spring> links = springs(pattern);
   for (int round = 0; round < options.rounds; ++round) {
-    pull_to_scan(tree, target, particle_normals(pattern, x), options.reach, x);
+    pull_to_scan(tree, target, worn_normals(pattern, x), options.reach, x);
     for (const PatternEdge& edge : pattern.edges) {
       const auto curve = edge_curves.find(edge.name);
       if (curve == edge_curves.end()) continue;
@@ -116,7 +106,7 @@ std::vector<Vec3> lay_on_scan(const Pattern& pattern, const std::vector<Vec3>& p
       }
     }
   }
-  pull_to_scan(tree, target, particle_normals(pattern, x), options.reach, x);
+  pull_to_scan(tree, target, worn_normals(pattern, x), options.reach, x);
   std::vector<Vec3> out;
   for (std::size_t v = 0; v < placed.size(); ++v) out.push_back(x[pattern.particle[v]]);
   return out;

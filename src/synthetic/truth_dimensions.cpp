@@ -12,16 +12,6 @@ namespace {
 constexpr double kBeside = 0.012;   // m from a line within which particles stand for it
 constexpr double kSeenShare = 0.5;  // of an edge that has to be seen
 
-// Whether a length grows with a dimension as that dimension itself.
-bool gives(const GarmentTemplate& garment, const Dimensions& dimensions, const std::string& formula,
-           const std::string& name) {
-  constexpr double kNudge = 1e-4;  // m
-  Dimensions more = dimensions;
-  more[name] += kNudge;
-  const double change = garment.evaluate(formula, more) - garment.evaluate(formula, dimensions);
-  return change > 0.5 * kNudge;
-}
-
 double mean_stretch(const GarmentTemplate& garment, const WornGarment& worn,
                     const std::string& name) {
   const std::vector<PanelLine> lines =
@@ -79,7 +69,7 @@ std::vector<std::vector<int>> needed(const GarmentTemplate& garment, const WornG
 bool is_seen(const GarmentTemplate& garment, const WornGarment& worn, const std::string& name,
              const std::vector<std::uint8_t>& seen) {
   for (const Observation& observation : garment.observations()) {
-    if (!gives(garment, worn.dimensions, observation.equals, name)) continue;
+    if (!garment.gives(observation.equals, name, worn.dimensions)) continue;
     const auto pieces = needed(garment, worn, observation, name);
     const bool all = std::all_of(pieces.begin(), pieces.end(),
                                  [&](const auto& piece) { return half_seen(piece, seen); });

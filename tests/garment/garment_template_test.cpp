@@ -53,6 +53,14 @@ TEST(GarmentTemplate, AcceptsItsTypicalDimensions) {
   }
 }
 
+TEST(GarmentTemplate, KnowsWhichDimensionALengthGives) {
+  const GarmentTemplate skirt = find_template("skirt");
+  EXPECT_TRUE(skirt.gives("hip", "hip", skirt.typical()));
+  EXPECT_FALSE(skirt.gives("hip", "waist", skirt.typical()));
+  EXPECT_TRUE(skirt.gives("0.6 * hip + 0.4 * waist", "hip", skirt.typical()));
+  EXPECT_FALSE(skirt.gives("0.6 * hip + 0.4 * waist", "waist", skirt.typical()));
+}
+
 TEST(GarmentTemplate, RefusesWhatIsOutOfBoundsInCentimetres) {
   const GarmentTemplate skirt = find_template("skirt");
   EXPECT_EQ(message_of(skirt, with(skirt.typical(), "waist", 0.399)),
