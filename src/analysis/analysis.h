@@ -8,6 +8,7 @@
 #include "fit/fit_trace.h"
 #include "garment/fabric.h"
 #include "garment/pattern.h"
+#include "joint/sides.h"
 #include "scan/scan.h"
 #include "segmentation/border_lines.h"
 
@@ -22,6 +23,13 @@ struct WornSources {
   bool hanging = false;        // `scan` runs along folds that hang: see ObservedLength
 };
 
+/// What a dimension would be if edges lay at another place where they may as well lie.
+struct RivalLength {
+  std::vector<std::string> edges;  // names of those that would lie elsewhere
+  double flat = 0;                 // m
+  double weight = 0;               // how probable this is, 0..1
+};
+
 /// One named dimension of one garment, as found. All lengths in metres.
 struct Measurement {
   std::string name, code;
@@ -29,6 +37,7 @@ struct Measurement {
   double low = 0.0, high = 0.0;        // 90 % interval of `flat`
   std::optional<double> worn;          // the same line as it lies on the body
   std::optional<WornSources> sources;  // of `worn`, by the method joint
+  std::vector<RivalLength> rivals;     // most probable first; the interval takes them into account
   bool fixed = false;                  // a person knows it: `flat` is what they said, held exactly
   bool observable = true;              // false: the scan says nothing, `flat` is a typical value
   std::optional<double> truth;         // given by the user
@@ -52,6 +61,14 @@ struct EdgeCurve {
   std::vector<EdgeRival> rivals = {};
 };
 
+/// How far a garment's sides differ in one dimension, by a fit that does not take them for alike.
+struct SideDifference {
+  std::string dimension;
+  Sides sides = Sides::LeftRight;
+  double difference = 0;  // m, the left side's (front's) length less the other's
+  double spread = 0;      // m, half of the 90 % interval of the difference
+};
+
 struct GarmentAnalysis {
   std::string template_name;
   int layer = 1;                          // 1 = outermost
@@ -62,6 +79,7 @@ struct GarmentAnalysis {
   std::vector<Vec3> draped;  // the garment on the scan, body frame, one per pattern vertex
   std::vector<EdgeCurve> edges;
   std::vector<BorderLine> borders;  // where its label ends, one per edge of the pattern that shows
+  std::vector<SideDifference> asymmetry;  // those that exceed their spread
   std::size_t vertices_labelled = 0;
   double mean_distance = 0.0;        // m, draped garment to the scan, area-weighted mean
   double mean_stretch = 1.0;         // mean of spring length over rest length

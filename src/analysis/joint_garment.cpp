@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/hidden_edges.h"
-#include "analysis/joint_target.h"
-#include "analysis/stage.h"
+#include "analysis/asymmetry.h"
+#include "analysis/joint_start.h"
+#include "analysis/mixture.h"
 #include "analysis/weigh_estimates.h"
 #include "base/error.h"
 #include "fabric/worn_stretch.h"
 #include "garment/hold_dimensions.h"
-#include "joint/joint_fit.h"
 #include "measure/garment_region.h"
-#include "measure/lay_on_scan.h"
 #include "segmentation/caps.h"
 #include "segmentation/segment_by_cut.h"
 
@@ -18,9 +16,6 @@ namespace regarment {
 namespace {
 
 constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standard deviations
-// The energy counts the scan's errors as if neighbours erred alone; lengths measured on it know
-// better how far they may be off.
-constexpr double kLengthTrust = 0.25;
 // Of the cloth seen that lies on the fitted garment. Of 186 fits to what made people wear one has
 // less than 0.8, none less than 0.7. Fits of what they do not wear have as much: this tells a fit
 // that failed; the wrong garment shows in its edges.
@@ -31,36 +26,16 @@ constexpr double kLeastBorderError = 0.003, kMostBorderError = 0.02;
 
 std::string share_text(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// What was measured on the scan holds the fit where folds could be taken for more cloth.
-std::vector<MeasuredLength> lengths_of(const std::vector<ObservedLength>& observed,
-                                       const std::map<std::string, HiddenEdge>& hidden) {
-  std::vector<MeasuredLength> out;
-  for (const ObservedLength& o : observed) {
-    if (o.seen)
-      out.push_back({o.observation->equals, o.value, kLengthTrust * o.standard_deviation});
-    else if (const auto length = probable_length(o, hidden))
-      out.push_back({o.observation->equals, length->value, length->standard_deviation});
-  }
-  return out;
-}
+/// A worn dimension if edges lie elsewhere.
+struct OtherLength {
+  std::vector<std::string> edges;  // that moved
+  double weight = 0;
+  double longer = 0;  // m, than between the edges as found
+};
 
-/// Dimensions to start from, and the garment laid on the scan at these.
-void start(const GarmentTemplate& garment, const SeenGarment& seen, const Stage& stage,
-           const std::map<std::string, SolvedDimension>& solved,
-           const std::map<std::string, HiddenEdge>& hidden, GarmentAnalysis& out) {
-  for (const Dimension& d : garment.dimensions()) out.dimensions[d.name] = solved.at(d.name).value;
-  for (const ObservedLength& o : seen.observed)
-    if (const auto length = probable_length(o, hidden);
-        length && out.dimensions.count(o.observation->equals) != 0)
-      out.dimensions[o.observation->equals] = length->value;
-  out.dimensions = nearest_holding(garment, out.dimensions, fixed_of(stage.options, garment));
-  move_pattern(garment, out.dimensions, out.pattern);
-  out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
-  out.edges = edge_curves(seen.edges);
-  std::map<std::string, std::vector<Vec3>> curves;
-  for (const EdgeCurve& e : out.edges)
-    if (e.evidence != "covered") curves[e.name] = e.points;
-  out.draped = lay_on_scan(out.pattern, out.placed, stage.samples, seen.cloth, curves);
+/// m, standard deviation of the flat length.
+double flat_deviation(const WornEstimate& worn, const Stretch& stretch) {
+  return std::hypot(worn.standard_deviation, worn.value * stretch.standard_deviation);
 }
 
 /// `hidden`: where another garment hides what the dimension depends on; or null.
@@ -75,7 +50,7 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
   if (m.fixed) m.flat = m.low = m.high = known->second;
   m.observable = m.fixed || seen || (hidden && hidden->told);
   if (m.fixed) return m;
-  double deviation = std::hypot(worn.standard_deviation, worn.value * stretch.standard_deviation);
+  double deviation = flat_deviation(worn, stretch);
   if (!seen && hidden) deviation = std::hypot(deviation, hidden->standard_deviation);
   m.low = std::max(d.lower, m.flat - kNormal90 * deviation);
   m.high = std::min(d.upper, m.flat + kNormal90 * deviation);
@@ -92,6 +67,38 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
   return m;
 }
 
+/// How much longer a worn dimension would be if edges lay where each of the other starts has them.
+/// All starts are compared at the coarse level.
+std::vector<OtherLength> others_of(const GarmentTemplate& garment,
+                                   const std::vector<JointStart>& starts, const std::string& name,
+                                   DimensionRole role) {
+  const auto worn = [&](const JointStart& start) {
+    return weigh(worn_sources(garment, start.coarse, start.seen.observed).at(name), role).value;
+  };
+  std::vector<OtherLength> out;
+  for (std::size_t i = 1; i < starts.size(); ++i)
+    out.push_back({starts[i].moved, starts[i].weight, worn(starts[i]) - worn(starts[0])});
+  return out;
+}
+
+/// Says what a measurement would be if edges lay elsewhere, and widens its interval to hold that.
+void add_others(const Dimension& d, const WornEstimate& worn, const Stretch& stretch,
+                const std::vector<OtherLength>& others, Measurement& m) {
+  if (others.empty()) return;
+  const double deviation = flat_deviation(worn, stretch);
+  double own = 1;
+  std::vector<Outcome> outcomes;
+  for (const OtherLength& other : others) {
+    const double flat = std::clamp(m.flat + other.longer / (1 + stretch.mean), d.lower, d.upper);
+    m.rivals.push_back({other.edges, flat, other.weight});
+    outcomes.push_back({other.weight, flat, deviation});
+    own -= other.weight;
+  }
+  outcomes.push_back({own, m.flat, deviation});
+  m.low = std::clamp(mixture_quantile(outcomes, 0.05), d.lower, m.flat);
+  m.high = std::clamp(mixture_quantile(outcomes, 0.95), m.flat, d.upper);
+}
+
 CutOptions cut_options(const GarmentEdges& edges) {
   CutOptions options;
   for (const auto& [name, edge] : edges.edges)
@@ -104,22 +111,10 @@ CutOptions cut_options(const GarmentEdges& edges) {
 
 GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
                               Stage& stage, const Progress& progress) {
-  GarmentAnalysis out;
-  out.template_name = garment.name();
-  out.layer = layer;
-  out.pattern = make_pattern(garment, garment.typical(), stage.options.pattern_edge_length);
-  const SeenGarment seen = look_for(garment, out.pattern, layer, stage);
-  const Dimensions& fixed = fixed_of(stage.options, garment);
-  const auto solved = solve_dimensions(garment, seen.observed, fixed);
-  const auto hidden = hidden_edges(seen.edges, stage.body);
-  start(garment, seen, stage, solved, hidden, out);
-
-  JointOptions options = stage.options.joint;
-  options.fixed = fixed;
-  JointTarget target = joint_target(stage.samples, seen.cloth, seen.edges, hidden);
-  target.outer = stage.outer;
-  JointFit fit = joint_fit(garment, out.dimensions, out.pattern, out.draped, target,
-                           lengths_of(seen.observed, hidden), options, progress);
+  const std::vector<JointStart> starts = joint_starts(garment, layer, stage, progress);
+  const JointStart& best = starts.front();
+  const SeenGarment& seen = best.seen;
+  const JointFit fit = finish_joint_fit(garment, best, stage, progress);
   if (fit.matched < kLeastMatched)
     throw NoGarmentError(
         "no " + garment.name() + " on this scan: only " + share_text(fit.matched) +
@@ -129,25 +124,37 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
     stage.warnings.push_back(garment.title() + ": only " + share_text(fit.matched) +
                              " of the cloth seen lies on the fitted garment; it may be a different "
                              "garment");
+  GarmentAnalysis out;
+  out.template_name = garment.name();
+  out.layer = layer;
+  out.edges = edge_curves(seen.edges);
   out.dimensions = fit.dimensions;
-  out.pattern = std::move(fit.pattern);
-  out.draped = std::move(fit.draped);
+  out.pattern = fit.pattern;
+  out.draped = fit.draped;
   out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
 
+  const Dimensions& fixed = fixed_of(stage.options, garment);
   const auto sources = worn_sources(garment, fit, seen.observed);
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
-  const auto covered = hidden_dimensions(hidden, seen.observed, out.dimensions, garment.typical());
+  const auto covered =
+      hidden_dimensions(best.hidden, seen.observed, out.dimensions, garment.typical());
   for (const Dimension& d : garment.dimensions()) {
     const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
-    Measurement m = measurement_of(d, weigh(sources.at(d.name), role), stretch.at(d.name),
-                                   solved.at(d.name).observable,
+    const WornEstimate worn = weigh(sources.at(d.name), role);
+    const bool is_seen = best.solved.at(d.name).observable;
+    Measurement m = measurement_of(d, worn, stretch.at(d.name), is_seen,
                                    under == covered.end() ? nullptr : &under->second, fixed);
+    if (is_seen && !m.fixed)
+      add_others(d, worn, stretch.at(d.name), others_of(garment, starts, d.name, role), m);
     if (m.observable) m.sources = sources.at(d.name);
     out.measurements.push_back(std::move(m));
   }
+  out.asymmetry = find_asymmetry(garment, starts, fit, stage);
+  for (const SideDifference& d : out.asymmetry)
+    stage.warnings.push_back(asymmetry_in_words(garment, d));
   // From here on the pattern is the flat garment.
   for (const Measurement& m : out.measurements) out.dimensions[m.name] = m.flat;
   out.dimensions = nearest_holding(garment, out.dimensions, fixed);

@@ -66,7 +66,10 @@ void check_lengths(const GarmentTemplate& garment, const std::vector<ObservedLen
 
 SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int layer,
                      const Stage& stage) {
-  GarmentEdges edges = edges_on(stage, pattern, garment, layer);
+  return look_between(edges_on(stage, pattern, garment, layer), garment, stage);
+}
+
+SeenGarment look_between(GarmentEdges edges, const GarmentTemplate& garment, const Stage& stage) {
   std::vector<std::uint8_t> cloth = cloth_of(stage, GarmentRegion(edges, stage.body));
   std::vector<ObservedLength> observed = observe(stage.samples, stage.body, edges, cloth, garment);
   check_lengths(garment, observed);

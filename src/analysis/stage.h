@@ -44,6 +44,9 @@ struct SeenGarment {
 SeenGarment look_for(const GarmentTemplate& garment, const Pattern& pattern, int layer,
                      const Stage& stage);
 
+/// The same with the edges known.
+SeenGarment look_between(GarmentEdges edges, const GarmentTemplate& garment, const Stage& stage);
+
 /// A garment that hangs from its top edge stays up only if something below is wider: throws
 /// NoGarmentError when nothing is. What a person said (an edge's height, a dimension) is not
 /// doubted.
