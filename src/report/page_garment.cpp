@@ -80,6 +80,20 @@ void show_judgement(const ResultMeasurement& m, Gaps& row) {
   row.set("result", verdict.text);
 }
 
+/// "83.4 if the waist lies elsewhere (weight 0.28)"; empty where there is one answer.
+std::string rivals_in_words(const ResultMeasurement& m) {
+  std::string text;
+  for (const ResultRivalLength& rival : m.rivals) {
+    std::string edges;
+    for (const std::string& edge : rival.edges) edges += (edges.empty() ? "" : " and ") + edge;
+    std::replace(edges.begin(), edges.end(), '_', ' ');
+    text += text.empty() ? "" : ", ";
+    text += cm(rival.value_cm) + " if the " + edges + (rival.edges.size() > 1 ? " lie" : " lies") +
+            " elsewhere (weight " + fixed_text(rival.weight, 2) + ")";
+  }
+  return text;
+}
+
 /// A, B, ... as the sketch has them.
 std::string letter_of(std::size_t index) { return {static_cast<char>('A' + index % 26)}; }
 
@@ -96,6 +110,7 @@ Gaps show_measurement(const ResultGarment& garment, std::size_t index, double ha
   show_length("worn", m.worn_cm, m.circumference, row);
   show_length("spec", m.truth_cm, m.circumference, row);
   row.set_maybe("published", cm(m.published_cm));
+  row.set_maybe("rivals", rivals_in_words(m));
   row.set("observable", m.observable);
   row.set("hidden", !m.observable);
   row.set("fixed", m.fixed);

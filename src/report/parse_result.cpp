@@ -38,6 +38,8 @@ ResultMeasurement read_measurement(const Json& j) {
   m.worn_fit_cm = optional_number(j, "worn_fit_cm");
   m.worn_line_cm = optional_number(j, "worn_line_cm");
   m.worn_scan_cm = optional_number(j, "worn_scan_cm");
+  for (const Json& r : j.value("rivals", Json::array()))
+    m.rivals.push_back({r.at("edges"), r.at("value_cm"), r.at("weight")});
   m.truth_cm = optional_number(j, "truth_cm");
   m.published_cm = optional_number(j, "published_cm");
   m.tol_minus_cm = optional_number(j, "tol_minus_cm");
@@ -129,6 +131,8 @@ ResultGarment read_garment(const Json& j, const std::string& where) {
   j.at("vertices_labelled").get_to(g.vertices_labelled);
   for (const Json& m : j.at("measurements")) g.measurements.push_back(read_measurement(m));
   for (const Json& e : j.at("edges")) g.edges.push_back(read_edge(e));
+  for (const Json& a : j.value("asymmetry", Json::array()))
+    g.asymmetry.push_back({a.at("name"), a.at("sides"), a.at("difference_cm"), a.at("spread_cm")});
   if (j.contains("search") != !j.at("runs").empty()) {
     contradiction(where, ": has a search without runs, or runs without a search");
   }

@@ -60,6 +60,8 @@ ResultMeasurement result_measurement(const Measurement& m, const GarmentTemplate
     out.worn_line_cm = cm(m.sources->line);
     out.worn_scan_cm = cm(m.sources->scan);
   }
+  for (const RivalLength& rival : m.rivals)
+    out.rivals.push_back({rival.edges, cm(rival.flat), finite(rival.weight, "a weight")});
   out.observable = m.observable;
   out.fixed = m.fixed;
   out.truth_cm = cm(m.truth);
@@ -93,6 +95,10 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
     out.measurements.push_back(result_measurement(m, of));
   }
   for (const EdgeCurve& edge : garment.edges) out.edges.push_back(result_edge(edge));
+  for (const SideDifference& d : garment.asymmetry)
+    out.asymmetry.push_back(
+        {d.dimension, d.sides == Sides::LeftRight ? "left_right" : "front_back",
+         cm(d.difference), cm(d.spread)});
   out.mean_distance_m = rounded(finite(garment.mean_distance * 1e4, "a distance") / 1e4, 7);
   out.mean_stretch = finite(garment.mean_stretch, "a stretch");
   if (garment.silhouette) out.silhouette = finite(*garment.silhouette, "a silhouette error");

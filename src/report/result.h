@@ -28,6 +28,12 @@ struct ReportOptions {
   std::optional<LabelScore> label_score;
 };
 
+/// What a dimension would be if edges lay at another place where they may as well lie.
+struct ResultRivalLength {
+  std::vector<std::string> edges;
+  double value_cm = 0, weight = 0;
+};
+
 /// One dimension in people's units; the fields are those of result.json (schemas/).
 struct ResultMeasurement {
   std::string name, code, title, definition, how_to_measure;
@@ -35,6 +41,7 @@ struct ResultMeasurement {
   double value_cm = 0, low_cm = 0, high_cm = 0;
   std::optional<double> worn_cm;
   std::optional<double> worn_fit_cm, worn_line_cm, worn_scan_cm;  // what worn_cm was weighed from
+  std::vector<ResultRivalLength> rivals;                          // most probable first
   bool observable = true;
   bool fixed = false;  // given by a person and held
   std::optional<double> truth_cm, published_cm, tol_minus_cm, tol_plus_cm;
@@ -53,11 +60,18 @@ struct ResultEdge {
   std::vector<ResultRival> rivals = {};  // most probable first
 };
 
+/// How far a garment's sides differ.
+struct ResultAsymmetry {
+  std::string name, sides;  // a dimension, and "left_right" or "front_back"
+  double difference_cm = 0, spread_cm = 0;
+};
+
 struct ResultGarment {
   std::string template_name, title;
   int layer = 1;
   std::vector<ResultMeasurement> measurements;
   std::vector<ResultEdge> edges;
+  std::vector<ResultAsymmetry> asymmetry;
   double mean_distance_m = 0, mean_stretch = 1;
   std::optional<double> silhouette;          // E_sil, where no search tells it
   std::optional<ResultSearch> search;        // of the methods that search

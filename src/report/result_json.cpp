@@ -76,6 +76,8 @@ Json measurement_json(const ResultMeasurement& m) {
   put(out, "worn_fit_cm", m.worn_fit_cm);
   put(out, "worn_line_cm", m.worn_line_cm);
   put(out, "worn_scan_cm", m.worn_scan_cm);
+  for (const ResultRivalLength& r : m.rivals)
+    out["rivals"].push_back({{"edges", r.edges}, {"value_cm", r.value_cm}, {"weight", r.weight}});
   put(out, "truth_cm", m.truth_cm);
   put(out, "error_cm", m.error_cm());
   put(out, "published_cm", m.published_cm);
@@ -157,6 +159,11 @@ Json garment_json(const ResultGarment& g) {
   for (const ResultEdge& e : g.edges) edges.push_back(edge_json(e));
   Json out = {{"template", g.template_name},  {"title", g.title}, {"layer", g.layer},
               {"measurements", measurements}, {"edges", edges},   {"error", error_json(g)}};
+  for (const ResultAsymmetry& a : g.asymmetry)
+    out["asymmetry"].push_back({{"name", a.name},
+                                {"sides", a.sides},
+                                {"difference_cm", a.difference_cm},
+                                {"spread_cm", a.spread_cm}});
   if (g.search) out["search"] = search_json(*g.search);
   out["runs"] = g.search ? runs_json(*g.search) : Json::array();
   if (g.deviation) out["deviation"] = deviation_json(*g.deviation);

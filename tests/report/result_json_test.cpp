@@ -31,6 +31,13 @@ TEST(ResultJson, HoldsWhatTheContractNames) {
   const Json& waist = j.at("garments").at(0).at("edges").at(0);
   EXPECT_EQ(waist.at("rivals"), Json::parse(R"([{"height_cm": 105.75, "weight": 0.3},
                                                 {"height_cm": 98.0, "weight": 0.125}])"));
+  const Json& girth = j.at("garments").at(0).at("measurements").at(2);
+  EXPECT_EQ(girth.at("rivals"), Json::parse(R"([
+      {"edges": ["waist"], "value_cm": 74.25, "weight": 0.3},
+      {"edges": ["waist"], "value_cm": 82.5, "weight": 0.125}])"));
+  EXPECT_FALSE(length.contains("rivals"));
+  EXPECT_EQ(j.at("garments").at(0).at("asymmetry"), Json::parse(R"([
+      {"name": "length", "sides": "left_right", "difference_cm": -1.5, "spread_cm": 0.75}])"));
   EXPECT_EQ(j.at("segmentation").at("garments").at(0), 14000);
   EXPECT_TRUE(j.at("timing_s").contains("total"));
 }

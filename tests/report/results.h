@@ -40,10 +40,12 @@ inline ResultGarment skirt_result() {
   auto& waist = add("waist", "S03", "Waist", true, 78.4, 1.2);
   waist.worn_cm = 80.1;
   waist.truth_cm = 78.0;
+  waist.rivals = {{{"waist"}, 74.25, 0.3}, {{"waist"}, 82.5, 0.125}};
   add("hip", "S04", "Hip", true, 96.0, 10.0).observable = false;
   skirt.silhouette = 5.25;
   skirt.edges = {{"waist", "step", 2.4, 0.93, 80.1, 101.5, {{105.75, 0.3}, {98.0, 0.125}}},
                  {"hem", "drop", 0.8, 1.0, 112.4, 47.9}};
+  skirt.asymmetry = {{"length", "left_right", -1.5, 0.75}};
   skirt.mean_distance_m = 0.0012;
   skirt.mean_stretch = 1.004;
   skirt.vertices_labelled = 14000;
