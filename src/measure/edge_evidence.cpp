@@ -97,10 +97,14 @@ double evidence(const EdgeBoundary& b, const EdgeSearch& search, bool coloured) 
   if (step > 1) step = 1 + (step - 1) / (step + 1) * (kMostEvidence - 1);
   if (b.step > search.most_step) step = kSeenShare;  // a hand beside the edge, not cloth on skin
   if (!coloured) return step;
-  return 0.5 * step + kMostEvidence * b.contrast / (b.contrast + kFullContrast);
+  return 0.5 * step + colour_evidence(b.contrast);
 }
 
 }  // namespace
+
+double colour_evidence(double contrast) {
+  return kMostEvidence * contrast / (contrast + kFullContrast);
+}
 
 EdgeEvidence edge_evidence(const LimbMap& map, const EdgeSearch& search) {
   EdgeEvidence out;

@@ -34,6 +34,9 @@ struct EdgeEvidence {
 /// the rows on both sides, and colours are compared. `rows` is below 3 when the range holds none.
 EdgeEvidence edge_evidence(const LimbMap& map, const EdgeSearch& search);
 
+/// Evidence of a colour difference across an edge, 0..2.
+double colour_evidence(double contrast);
+
 inline constexpr double kFullContrast = 0.12;  // colour difference that is fully convincing
 inline constexpr double kSeenShare = 0.3;      // of full evidence: the column shows the edge
 

@@ -16,6 +16,11 @@ constexpr double kSlopePenalty = 0.15;  // evidence lost for moving one row, gro
 constexpr double kFaintest = 0.4;       // of evidence: errors grow no further below it
 constexpr double kDropStep = 0.02;      // m, step said of cloth above nothing
 constexpr double kDropFrom = 0.012;     // m, a step so large is a drop
+constexpr double kThinCloth = 0.002, kMostEven = 1.3;  // m: even thin cloth stands off as much;
+                                                       // what a column counts at most
+constexpr int kLowColumns = 15;        // % of the columns, those that stand off least
+constexpr double kLeastStep = 0.0015;  // m that the best of them stand off at an edge
+constexpr double kLeastWeight = 0.6;   // what that counts
 constexpr double kStray = 0.01;  // m, scale at which a column stops counting for the straight curve
 
 /// Best path from column `first` over `count` columns; with `anchor` >= 0 it starts and ends there.
@@ -119,6 +124,24 @@ std::vector<double> two_waves(const std::vector<double>& s, const std::vector<bo
   return {curve.data(), curve.data() + n};
 }
 
+/// See FoundEdge::even_score. Looks along the smooth edge `s`: a path that takes the best row of
+/// every column finds steps anywhere in folds.
+double even_score(const LimbMap& map, const EdgeEvidence& e, const std::vector<double>& s) {
+  std::vector<double> stands_off;  // m, where the scan shows both sides, or a drop
+  double sum = 0;
+  for (int j = 0; j < e.columns; ++j) {
+    const int row = static_cast<int>(std::lround((s[j] - map.s_low) / map.step)) - e.low;
+    const EdgeBoundary& b = e.boundary[e.index(std::clamp(row, 0, e.rows - 1), j)];
+    if (!b.valid) continue;
+    stands_off.push_back(b.drop ? kDropStep : b.step);
+    sum += b.drop ? b.filled : std::clamp(b.step / kThinCloth, -1.0, kMostEven);
+  }
+  if (stands_off.size() < 3) return 0;
+  std::sort(stands_off.begin(), stands_off.end());
+  const double least = stands_off[stands_off.size() * kLowColumns / 100];
+  return sum / e.columns + kLeastWeight * std::clamp(least / kLeastStep, -1.0, 1.0);
+}
+
 /// The closed loop of largest summed evidence, a row per column.
 std::vector<int> closed_path(const EdgeEvidence& e, int max_slope) {
   const std::vector<int> twice =
@@ -186,6 +209,7 @@ FoundEdge edge_on_path(const LimbMap& map, const EdgeSearch& search, const EdgeE
   edge.standard_error = std::hypot(search.least_error / std::clamp(edge.score, kFaintest, 1.0),
                                    1.4826 * median(residual) / std::sqrt(std::max(1.0, seen / 5)));
   edge.s = smooth;
+  edge.even_score = map.colour.empty() ? even_score(map, e, smooth) : edge.score;
   edge.typical_step = median(steps);
   edge.contrast = median(contrasts);
   edge.evidence = median(drops) > 0.5 ? "drop" : edge.contrast > kFullContrast ? "colour" : "step";

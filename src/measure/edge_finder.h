@@ -35,6 +35,9 @@ struct FoundEdge {
   double contrast = 0;        // median colour difference across the edge, 0..1.7
   double standard_error = 0;  // m, of the mean of s, if this is the edge: larger the less shows
   double score = 0;           // mean evidence; 1 is a step of cloth thickness all the way round
+  double even_score = 0;      // the same where no column outvotes others: a fold stands off far on
+                              // a part of the loop, an edge at least a little all the way round;
+                              // with colours, which tell folds from edges, `score`
   std::string evidence;       // "step", "drop" or "colour": what showed most
 
   bool found() const { return !s.empty(); }

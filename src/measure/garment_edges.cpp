@@ -31,6 +31,7 @@ constexpr double kHandShare = 0.12;    // of the height: from wrist to fingertip
 constexpr double kCuffBefore = 0.06;   // m, the shortest sleeve ends so far before the armpit
 constexpr double kSleeveRadius = 0.1;  // m, what lies further from an arm's axis is torso
 constexpr int kCandidates = 4;         // places where an edge may be that are compared
+constexpr int kCuffCandidates = 10;    // folds of a sleeve look like its edge
 constexpr double kSleevesDiffer = 0.04;               // m, both sleeves end alike within this
 constexpr double kUnequal = 0.1, kUnequalMost = 0.4;  // evidence lost at that difference, at most
 constexpr double kSureness = 12;  // a rival with less evidence is exp(-12 times it) as probable
@@ -123,20 +124,22 @@ double mean_of(const std::vector<double>& v) {
 struct Cuff {
   std::string name, limb;
   double map_low = 0;             // m, where the map of its arm begins: a fixed place on the arm
-  std::vector<FoundEdge> places;  // best first
+  std::vector<FoundEdge> places;  // in order of `score`
 
   double along(std::size_t i) const { return mean_of(places[i].s) - map_low; }
 };
 
-/// Makes one of the places the edge and those that are nearly as probable its rivals.
-void settle(std::vector<FoundEdge> places, std::size_t chosen, GarmentEdge& edge) {
-  const double best = places[chosen].score;
+/// Makes one of the places the edge and those that are nearly as probable its rivals; `score` tells
+/// how probable they are.
+void settle(std::vector<FoundEdge> places, std::size_t chosen, double FoundEdge::*score,
+            GarmentEdge& edge) {
+  const double best = places[chosen].*score;
   double sum = 1;
   std::vector<EdgeHypothesis> rivals;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (i == chosen) continue;
     // What was not chosen although it shows more has reasons against it: as good as the chosen one.
-    const double weight = std::exp(kSureness * std::min(0.0, places[i].score - best));
+    const double weight = std::exp(kSureness * std::min(0.0, places[i].*score - best));
     if (weight < kLeastWeight) continue;
     rivals.push_back({std::move(places[i]), weight});
     sum += weight;
@@ -247,7 +250,7 @@ void Finder::find_on_torso(const PatternEdge& edge) {
     found.found = find_edge(view.map, search);
   } else if (!found.garment_above) {
     std::vector<FoundEdge> places = find_edges(view.map, waist_search(), kCandidates);
-    if (!places.empty()) settle(std::move(places), 0, found);
+    if (!places.empty()) settle(std::move(places), 0, &FoundEdge::score, found);
   } else if (out.upper_body) {
     search.s_low = kLongestShirt * body.height, search.s_high = below_armpits() + 0.06;
     found.found = find_with_rivals(view.map, search, true);
@@ -277,20 +280,26 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   search.s_high = view.axis.s_max() - kHandShare * body.height;
   search.straightness = kCuffStray, search.tilt = kCuffTilt;
   search.widest = kSleeveRadius, search.least_error = kSleeveError;
-  Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCandidates)};
+  Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCuffCandidates)};
   if (!cuff.places.empty()) cuffs.push_back(std::move(cuff));
 }
 
 /// Of the places where cuffs may be, those of most evidence; where there are two sleeves, they end
 /// at about the same distance from the shoulders.
 void Finder::choose_cuffs() {
-  std::vector<std::size_t> chosen(cuffs.size(), 0);
+  std::vector<std::size_t> chosen;
+  for (const Cuff& cuff : cuffs) {
+    const auto most = std::max_element(
+        cuff.places.begin(), cuff.places.end(),
+        [](const FoundEdge& a, const FoundEdge& b) { return a.even_score < b.even_score; });
+    chosen.push_back(static_cast<std::size_t>(most - cuff.places.begin()));
+  }
   if (cuffs.size() == 2) {
     double best = -1e9;
     for (std::size_t a = 0; a < cuffs[0].places.size(); ++a)
       for (std::size_t b = 0; b < cuffs[1].places.size(); ++b) {
         const double apart = (cuffs[0].along(a) - cuffs[1].along(b)) / kSleevesDiffer;
-        const double sum = cuffs[0].places[a].score + cuffs[1].places[b].score -
+        const double sum = cuffs[0].places[a].even_score + cuffs[1].places[b].even_score -
                            std::min(kUnequalMost, kUnequal * apart * apart);
         if (sum > best) best = sum, chosen = {a, b};
       }
@@ -299,7 +308,9 @@ void Finder::choose_cuffs() {
     GarmentEdge found;
     found.limb = cuffs[c].limb;
     found.garment_above = false;
-    settle(std::move(cuffs[c].places), chosen[c], found);
+    // Places come in order of their score.
+    if (chosen[c] != 0) found.clearest = cuffs[c].places.front();
+    settle(std::move(cuffs[c].places), chosen[c], &FoundEdge::even_score, found);
     out.edges.emplace(cuffs[c].name, std::move(found));
   }
 }

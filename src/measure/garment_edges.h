@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct GarmentEdge {
   std::vector<EdgeHypothesis> rivals;  // the others, likeliest first; their weights and that of
                                        // `found` add up to 1; empty when there is one answer
   HangingFolds folds;                  // of a hem, lower than `found`
+  std::optional<FoundEdge> clearest;   // the place of most evidence, where that is another one
   bool covered =
       false;  // hidden by a garment that was taken off before: this is where it is cut off
 };

@@ -62,9 +62,11 @@ struct Sleeves {
   explicit Sleeves(const GarmentEdges& edges) {
     for (const auto& [name, edge] : edges.edges) {
       if (edge.limb == "torso" || edge.limb == "neck") continue;
-      best = std::max(best, edge.found.score), contrast = std::max(contrast, edge.found.contrast);
-      mean += edge.found.score, count += 1;
-      shown = shown || shows(edge.found);
+      // What a sleeve's folds show proves it as well as its edge does.
+      const FoundEdge& clear = edge.clearest ? *edge.clearest : edge.found;
+      best = std::max(best, clear.score), contrast = std::max(contrast, clear.contrast);
+      mean += clear.score, count += 1;
+      shown = shown || shows(clear);
     }
     mean /= std::max(1, count);
   }

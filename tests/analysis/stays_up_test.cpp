@@ -14,8 +14,8 @@ struct Skirt {
   GarmentEdges edges;
 
   Skirt() {
-    edges.edges["waist"] = {"torso", false, {}, {}, false};
-    edges.edges["hem"] = {"torso", true, {}, {}, false};
+    edges.edges["waist"].limb = edges.edges["hem"].limb = "torso";
+    edges.edges["hem"].garment_above = true;
   }
   bool stays_up(double waist, double hip, double width) const {
     const Stage stage{options, {}};

@@ -190,6 +190,43 @@ TEST(FindEdgeCentre, OfTwoEqualEdgesTheOneExpectedIsTaken) {
   }
 }
 
+// Thin cloth ends at 0.8 m; at 0.6 m a fold stands far off on three quarters of the loop.
+TEST(FindEdges, AnEdgeIsMoreEvenThanAFoldThatStandsOffFurther) {
+  LimbPlan limb;
+  limb.radius = [](double s, double phi) {
+    const double fold = std::abs(phi) < 0.75 * kPi ? 0.008 : 0;
+    return 0.16 + (s < 0.8 ? 0.002 : 0) + (s < 0.6 ? fold : 0);
+  };
+  const LimbMap map = test::limb_map(limb, 31);
+  EdgeSearch search;
+  search.garment_above = false;
+  search.s_low = 0.5, search.s_high = 0.95;
+  search.straightness = 0.015, search.tilt = 0.02;
+  const FoundEdge *edge = nullptr, *fold = nullptr;
+  const std::vector<FoundEdge> places = find_edges(map, search, 6);
+  for (const FoundEdge& place : places) {
+    const double front = place.s[map.columns / 2];
+    if (!edge && std::abs(front - 0.8) < 0.004) edge = &place;
+    if (!fold && std::abs(front - 0.6) < 0.004) fold = &place;
+  }
+  ASSERT_TRUE(edge && fold);
+  EXPECT_GT(fold->score, edge->score);
+  EXPECT_GT(edge->even_score, fold->even_score + 0.3);
+}
+
+TEST(FindEdges, ColoursTellEdgesFromFolds) {
+  LimbPlan limb;
+  limb.radius = [](double s, double) { return 0.16 + (s < 0.7 ? 0.002 : 0); };
+  limb.colour = [](double s, double) {
+    return s < 0.7 ? Vec3(0.8, 0.2, 0.2) : Vec3(0.7, 0.6, 0.5);
+  };
+  EdgeSearch search;
+  search.garment_above = false;
+  search.s_low = 0.5, search.s_high = 0.95;
+  const FoundEdge found = find_edge(test::limb_map(limb, 32), search);
+  EXPECT_EQ(found.even_score, found.score);
+}
+
 TEST(EdgePoints, LieOnTheGarmentAtTheEdge) {
   const StepPlan plan{"tilt", true, 0, 0, 0.03};
   const LimbMap map = test::limb_map(plan.limb(), 28);

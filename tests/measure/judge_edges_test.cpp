@@ -89,6 +89,14 @@ TEST(JudgeTshirt, NeedsHemAndSleevesUnlessOneIsBeyondDoubt) {
   EXPECT_NE(naked.message.find("its hem shows"), std::string::npos);
 }
 
+TEST(JudgeTshirt, FoldsOfASleeveProveItToo) {
+  Case faint = Case(false).torso("hem", 1, 0.9, 0.9).cuffs(0.6, 0.4);
+  EXPECT_FALSE(faint.worn());
+  for (const char* cuff : {"left_cuff", "right_cuff"})
+    faint.edges.edges[cuff].clearest = edge("left_arm", false, 0.05, 0.9, 1.1).found;
+  EXPECT_TRUE(faint.worn());
+}
+
 TEST(JudgeTshirt, ACrotchWithElbowsIsNone) {
   EXPECT_FALSE(Case(false).torso("hem", 0.85, 0.95, 0.95).cuffs(0.9, 0.9).worn());
   EXPECT_TRUE(Case(false).torso("hem", 0.85, 0.95, 1.3).cuffs(0.9, 0.9).worn());
