@@ -9,6 +9,7 @@
 #include "fabric/worn_stretch.h"
 #include "garment/hold_dimensions.h"
 #include "measure/garment_region.h"
+#include "measure/tucked_cuff.h"
 #include "segmentation/caps.h"
 #include "segmentation/segment_by_cut.h"
 
@@ -53,7 +54,7 @@ Measurement measurement_of(const Dimension& d, const WornEstimate& worn, const S
   double deviation = flat_deviation(worn, stretch);
   if (!seen && hidden) deviation = std::hypot(deviation, hidden->standard_deviation);
   m.low = std::max(d.lower, m.flat - kNormal90 * deviation);
-  m.high = std::min(d.upper, m.flat + kNormal90 * deviation);
+  m.high = std::min(d.upper, m.flat + kNormal90 * deviation + worn.above);
   if (m.observable) return m;
   m.worn.reset();
   if (hidden && hidden->standard_deviation > 0) {
@@ -140,10 +141,11 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
   const auto covered =
       hidden_dimensions(best.hidden, seen.observed, out.dimensions, garment.typical());
+  const double tucked = tucked_share(seen.edges, stage.body);
   for (const Dimension& d : garment.dimensions()) {
     const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
-    const WornEstimate worn = weigh(sources.at(d.name), role);
+    const WornEstimate worn = weigh(sources.at(d.name), role, tucked);
     const bool is_seen = best.solved.at(d.name).observable;
     Measurement m = measurement_of(d, worn, stretch.at(d.name), is_seen,
                                    under == covered.end() ? nullptr : &under->second, fixed);

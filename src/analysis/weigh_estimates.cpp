@@ -22,6 +22,10 @@ struct Weights {
   double over = 1.0;       // how much too long all sources are
 };
 
+// m, of the edges of sleeves that end in an armpit: what lies hidden there, the half width of the
+// interval at least, and how much further up it reaches.
+constexpr double kTuckedLength = 0.05, kTuckedDoubt = 0.08, kTuckedAbove = 0.025;
+
 Weights weights_of(DimensionRole role) {
   switch (role) {
     case DimensionRole::BearingEdge:
@@ -70,7 +74,7 @@ std::map<std::string, WornSources> worn_sources(const GarmentTemplate& garment, 
   return out;
 }
 
-WornEstimate weigh(const WornSources& sources, DimensionRole role) {
+WornEstimate weigh(const WornSources& sources, DimensionRole role, double tucked) {
   if (sources.hanging && sources.scan) return weigh_hanging(sources);
   const Weights w = weights_of(role);
   double sum = w.fit * sources.fit + w.line * sources.line, all = w.fit + w.line;
@@ -80,7 +84,10 @@ WornEstimate weigh(const WornSources& sources, DimensionRole role) {
     low = std::min(low, *sources.scan), high = std::max(high, *sources.scan);
   }
   const double value = sum / all / w.over;
-  return {value, (0.01 * w.least + w.apart * (high - low)) / kNormal90};
+  const double doubt = 0.01 * w.least + w.apart * (high - low);
+  if (role != DimensionRole::LimbEdge || !(tucked > 0)) return {value, doubt / kNormal90};
+  return {value + tucked * kTuckedLength, std::max(doubt, tucked * kTuckedDoubt) / kNormal90,
+          tucked * kTuckedAbove};
 }
 
 }  // namespace regarment

@@ -15,6 +15,7 @@ namespace regarment {
 struct WornEstimate {
   double value = 0;               // m
   double standard_deviation = 0;  // m
+  double above = 0;               // m that its 90 % interval reaches further up than that
 };
 
 /// All that the joint fit and the scan tell of each worn dimension.
@@ -23,7 +24,9 @@ std::map<std::string, WornSources> worn_sources(const GarmentTemplate& garment, 
 
 /// One estimate from them. By the role of the dimension each source counts as it proved itself on
 /// made people, and the deviation covers what their distances from each other did not
-/// (tests/benchmarks/joint_calibration.py prints the figures).
-WornEstimate weigh(const WornSources& sources, DimensionRole role);
+/// (tests/benchmarks/joint_calibration.py prints the figures). `tucked`: share of the edges behind
+/// the dimension of which a part is hidden in an armpit, 0..1. All sources miss that part; how long
+/// it is nothing shows, so that it counts as it does on made people, and may be much longer.
+WornEstimate weigh(const WornSources& sources, DimensionRole role, double tucked = 0);
 
 }  // namespace regarment

@@ -100,5 +100,22 @@ TEST(Weigh, LiesBetweenItsSourcesAndDoubtsThemWhenTheyDisagree) {
   EXPECT_NEAR(weigh({1.80, 1.90, 1.85}, DimensionRole::TorsoEdge).value, 2 * apart.value, 1e-12);
 }
 
+TEST(Weigh, LooksForMoreWhereAnArmpitHidesAPartOfTheEdge) {
+  const WornSources sources{0.34, 0.34, 0.34};
+  const WornEstimate seen = weigh(sources, DimensionRole::LimbEdge);
+  const WornEstimate one = weigh(sources, DimensionRole::LimbEdge, 0.5);
+  const WornEstimate both = weigh(sources, DimensionRole::LimbEdge, 1);
+  EXPECT_EQ(seen.above, 0);
+  EXPECT_LT(seen.value, one.value);
+  EXPECT_LT(one.value, both.value);
+  EXPECT_GT(both.above, one.above);
+  // What shows is a lower bound: it is not left out of the interval.
+  EXPECT_LT(both.value - 1.645 * both.standard_deviation, 0.34);
+  EXPECT_GT(both.standard_deviation, seen.standard_deviation);
+  // A hem does not lie in an armpit.
+  EXPECT_EQ(weigh(sources, DimensionRole::TorsoEdge, 1).value,
+            weigh(sources, DimensionRole::TorsoEdge).value);
+}
+
 }  // namespace
 }  // namespace regarment
