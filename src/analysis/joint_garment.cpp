@@ -96,8 +96,8 @@ void add_others(const Dimension& d, const WornEstimate& worn, const Stretch& str
     own -= other.weight;
   }
   outcomes.push_back({own, m.flat, deviation});
-  m.low = std::clamp(mixture_quantile(outcomes, 0.05), d.lower, m.flat);
-  m.high = std::clamp(mixture_quantile(outcomes, 0.95), m.flat, d.upper);
+  m.low = std::clamp(mixture_quantile(outcomes, 0.05), d.lower, m.low);
+  m.high = std::clamp(mixture_quantile(outcomes, 0.95), m.high, d.upper);
 }
 
 CutOptions cut_options(const GarmentEdges& edges) {

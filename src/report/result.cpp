@@ -96,9 +96,8 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
   }
   for (const EdgeCurve& edge : garment.edges) out.edges.push_back(result_edge(edge));
   for (const SideDifference& d : garment.asymmetry)
-    out.asymmetry.push_back(
-        {d.dimension, d.sides == Sides::LeftRight ? "left_right" : "front_back",
-         cm(d.difference), cm(d.spread)});
+    out.asymmetry.push_back({d.dimension, d.sides == Sides::LeftRight ? "left_right" : "front_back",
+                             cm(d.difference), cm(d.spread)});
   out.mean_distance_m = rounded(finite(garment.mean_distance * 1e4, "a distance") / 1e4, 7);
   out.mean_stretch = finite(garment.mean_stretch, "a stretch");
   if (garment.silhouette) out.silhouette = finite(*garment.silhouette, "a silhouette error");
