@@ -15,7 +15,7 @@ struct Skirt {
 
   Skirt() {
     edges.edges["waist"].limb = edges.edges["hem"].limb = "torso";
-    edges.edges["hem"].garment_above = true;
+    edges.edges["waist"].garment_above = false;
   }
   bool stays_up(double waist, double hip, double width) const {
     const Stage stage{options, {}};
