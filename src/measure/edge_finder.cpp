@@ -204,6 +204,7 @@ FoundEdge edge_on_path(const LimbMap& map, const EdgeSearch& search, const EdgeE
   if (search.straightness > 0) straighten(map, search.straightness, edge);
   const std::vector<double> smooth = smoothed(edge.s, 4);
   std::vector<double> residual;
+  residual.reserve(edge.s.size());
   for (int j = 0; j < columns; ++j) residual.push_back(std::abs(edge.s[j] - smooth[j]));
   const double seen = static_cast<double>(steps.size());
   edge.standard_error = std::hypot(search.least_error / std::clamp(edge.score, kFaintest, 1.0),
@@ -247,6 +248,7 @@ std::vector<FoundEdge> find_edges(const LimbMap& map, const EdgeSearch& search, 
 
 std::vector<Vec3> edge_points(const FoundEdge& edge, const LimbMap& map, const LimbAxis& axis) {
   std::vector<Vec3> points;
+  points.reserve(edge.s.size());
   for (int j = 0; j < static_cast<int>(edge.s.size()); ++j)
     points.push_back(axis.point({edge.s[j], map.column_phi(j), edge.r[j]}));
   return points;

@@ -87,7 +87,7 @@ bool at_bottom(const Pattern& pattern, const PatternEdge& edge) {
 
 /// The best edge in a range, or a rival that lies beyond it in the direction preferred and has at
 /// least `share` of its score.
-FoundEdge find_with_rivals(const LimbMap& map, EdgeSearch search, bool prefer_higher,
+FoundEdge find_with_rivals(const LimbMap& map, const EdgeSearch& search, bool prefer_higher,
                            double share = kRivalShare) {
   FoundEdge best = find_edge(map, search);
   const double wanted = share * best.score;

@@ -101,6 +101,7 @@ std::vector<Candidate> candidates(const SurfaceSamples& samples, const Body& bod
 /// Those that an even surface joins to cloth above the hem.
 std::vector<std::uint8_t> joined(const SurfaceSamples& samples, const std::vector<Candidate>& all) {
   std::vector<Vec3> points;
+  points.reserve(all.size());
   for (const Candidate& c : all) points.push_back(samples.positions[c.sample]);
   const PointTree tree(points);
   std::vector<std::uint8_t> in(all.size(), 0);
@@ -181,7 +182,7 @@ HangingFolds find_hanging_folds(const SurfaceSamples& samples, const Body& body,
 }
 
 std::vector<Vec3> edge_curve(const GarmentEdge& edge, const LimbView& view) {
-  const std::vector<Vec3> points = edge_points(edge.found, view.map, view.axis);
+  std::vector<Vec3> points = edge_points(edge.found, view.map, view.axis);
   const int n = view.map.columns;
   int start = 0;
   if (!edge.folds.empty())

@@ -116,7 +116,7 @@ Albedo value_albedo(const Surface& surface, std::span<const float> values,
   const auto colour_at = [&](float value) {
     if (std::isnan(value)) return no_data_colour();
     const double place = std::clamp((double(value) - scale.low) * per_unit, 0.0, double(kSteps));
-    return table[std::size_t(place + 0.5)];
+    return table[std::size_t(std::lround(place))];
   };
   Albedo albedo(surface.seen.id.size());
   const PixelMeans means(surface, values);
