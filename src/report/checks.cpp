@@ -72,7 +72,8 @@ void check_measured(const Result& result, std::vector<Check>& checks) {
   check.found = of(seen, all.size());
   check.threshold = "Good when the scan shows all, poor when it shows less than half.";
   check.advice =
-      "What the scan does not show is in brackets and is a probable value. Scan without what covers "
+      "What the scan does not show is in brackets and is a probable value. Scan without what "
+      "covers "
       "it, or give what is known with --fix NAME=CM.";
   check.place = "garment-1";
   if (seen < all.size()) {
