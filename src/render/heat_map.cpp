@@ -136,7 +136,7 @@ Colour label_colour(int label, float probability) {
   Colour out;
   for (std::size_t c = 0; c < 3; ++c) {
     const float mixed = (1.0F - share) * float(own[c]) + share * float(unsure[c]);
-    out[c] = static_cast<std::uint8_t>(mixed + 0.5F);
+    out[c] = static_cast<std::uint8_t>(std::lround(mixed));
   }
   return out;
 }

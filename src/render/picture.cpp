@@ -52,7 +52,8 @@ void start_row(PaintRow& row, int y, const Range& columns, const FloorShadow* sh
 Linear mean_of_samples(const std::vector<PaintRow>& rows, int x) {
   Linear sum;
   for (const PaintRow& row : rows) {
-    for (int s = 0; s < kSamples; ++s) sum = sum + row.colour[std::size_t(x * kSamples + s)];
+    for (int s = 0; s < kSamples; ++s)
+      sum = sum + row.colour[std::size_t(x) * kSamples + std::size_t(s)];
   }
   return sum * (1.0F / (kSamples * kSamples));
 }

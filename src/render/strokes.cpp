@@ -34,7 +34,7 @@ Strokes::Strokes(const std::vector<std::span<const Vec3>>& curves, const Camera&
   const double tallest = camera.height - 1;
   top_ = static_cast<int>(std::clamp(std::floor(low - half_width), 0.0, tallest));
   const int last = static_cast<int>(std::clamp(std::ceil(high + half_width), 0.0, tallest));
-  rows_.resize(static_cast<std::size_t>(last - top_ + 1));
+  rows_.resize(static_cast<std::size_t>(last - top_) + 1);
   left_ = camera.width;
   for (const std::vector<Vec3>& curve : seen)
     for (std::size_t i = 0; i < curve.size(); ++i)

@@ -12,7 +12,7 @@ FoundEdge edge_at(double s) {
 }
 
 GarmentEdge edge_with(const std::string& limb, double s,
-                      std::vector<std::pair<double, double>> rivals) {
+                      const std::vector<std::pair<double, double>>& rivals) {
   GarmentEdge edge;
   edge.limb = limb;
   edge.found = edge_at(s);

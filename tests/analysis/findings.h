@@ -11,6 +11,7 @@ namespace regarment::test {
 
 inline std::vector<GarmentTemplate> templates_of(const std::vector<std::string>& names) {
   std::vector<GarmentTemplate> out;
+  out.reserve(names.size());
   for (const std::string& name : names) out.push_back(find_template(name));
   return out;
 }

@@ -16,11 +16,12 @@ struct Problem {
 
   Problem(int width, int height, double pull)
       : blocks(width * height, pairs(width, height)),
-        dense(Eigen::MatrixXd::Zero(3 * width * height, 3 * width * height)) {
+        dense(Eigen::MatrixXd::Zero(Eigen::Index{3} * width * height,
+                                    Eigen::Index{3} * width * height)) {
     Random random(7);
     const auto add = [&](int i, int j, const Eigen::Matrix3d& block) {
       blocks.add(i, j, block);
-      dense.block<3, 3>(3 * i, 3 * j) += block;
+      dense.block<3, 3>(Eigen::Index{3} * i, Eigen::Index{3} * j) += block;
     };
     for (const auto& [a, b] : pairs(width, height)) {
       Eigen::Matrix3d root;

@@ -50,6 +50,7 @@ TEST(SegmentByCut, FindsTheSkirtOfACloud) {
   std::vector<std::uint32_t> from;
   const Dressed dressed(plan, test::cloud_of(person.mesh, 0.0037, 71, &from));
   std::vector<bool> cloth;
+  cloth.reserve(from.size());
   for (std::uint32_t v : from) cloth.push_back(person.part[v] == MadePart::Skirt);
   const Labels labels = cut(dressed, MadeGarment(*plan.skirt), dressed.scan);
   EXPECT_GT(intersection_over_union(dressed, labels, cloth), 0.99);
