@@ -4,6 +4,7 @@
 #include "geometry/closed_curve.h"
 
 namespace regarment {
+
 void hold(const std::vector<HeldEdge>& edges, const Cloth& cloth,
           std::vector<Attraction>& attraction) {
   for (const HeldEdge& edge : edges) {

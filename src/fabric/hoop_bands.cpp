@@ -12,6 +12,7 @@
 #include "fabric/level_section.h"
 #include "fabric/strips.h"
 #include "garment/drawn_line.h"
+#include "garment/particles.h"
 #include "garment/worn_normals.h"
 
 namespace regarment {
@@ -94,9 +95,7 @@ std::vector<double> shares(const GarmentTemplate& garment, const Dimensions& wor
 
 // Normals of the worn cloth, one per pattern vertex, unit or zero.
 std::vector<Vec3> vertex_normals(const Pattern& pattern, const std::vector<Vec3>& draped) {
-  std::vector<Vec3> particles(static_cast<std::size_t>(pattern.particle_count), Vec3::Zero());
-  for (std::size_t v = 0; v < draped.size(); ++v) particles[pattern.particle[v]] = draped[v];
-  const std::vector<Vec3> normals = worn_normals(pattern, particles);
+  const std::vector<Vec3> normals = worn_normals(pattern, particle_positions(pattern, draped));
   std::vector<Vec3> out;
   for (const int p : pattern.particle) out.push_back(normals[static_cast<std::size_t>(p)]);
   return out;

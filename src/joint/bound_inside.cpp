@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "garment/particles.h"
 #include "garment/worn_normals.h"
-#include "joint/particle_mesh.h"
 
 namespace regarment {
 
 OuterGarment outer_garment(const Pattern& pattern, const std::vector<Vec3>& draped) {
-  OuterGarment out;
-  out.particles.assign(static_cast<std::size_t>(pattern.particle_count), Vec3::Zero());
-  for (std::size_t v = 0; v < draped.size(); ++v) out.particles[pattern.particle[v]] = draped[v];
-  out.triangles = particle_triangles(pattern);
-  return out;
+  return {particle_positions(pattern, draped), particle_triangles(pattern)};
 }
 
 void bound_inside(const std::vector<ClosestPoint>& outer, const std::vector<Vec3>& x,

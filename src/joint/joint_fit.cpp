@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "garment/hold_dimensions.h"
+#include "garment/particles.h"
 #include "joint/joint_system.h"
 #include "joint/refine.h"
 #include "joint/worn_lines.h"
@@ -64,8 +65,7 @@ JointFit joint_fit(const GarmentTemplate& garment, const Dimensions& start, cons
   for (const Dimension& d : garment.dimensions())
     held.push_back(options.fixed.find(d.name) != options.fixed.end());
   Pattern last = pattern;
-  std::vector<Vec3> x(pattern.particle_count, Vec3::Zero());
-  for (std::size_t v = 0; v < placed.size(); ++v) x[pattern.particle[v]] = placed[v];
+  std::vector<Vec3> x = particle_positions(pattern, placed);
   Dimensions at = start;
   std::vector<ClosestPoint> outer;
   for (const OuterGarment& over : target.outer) outer.emplace_back(over.particles, over.triangles);

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "garment/particles.h"
 #include "garment/worn_normals.h"
 #include "geometry/closed_curve.h"
 #include "geometry/closest_point.h"
 #include "geometry/parallel.h"
-#include "joint/particle_mesh.h"
 #include "joint/worn_lines.h"
 
 namespace regarment {

@@ -5,6 +5,7 @@
 #include "garment/plane.h"
 
 namespace regarment {
+
 std::vector<Vec3> refine(const Pattern& coarse, const std::vector<Vec3>& x, const Pattern& fine) {
   std::vector<Vec3> sum(fine.particle_count, Vec3::Zero());
   std::vector<double> count(fine.particle_count, 0.0);

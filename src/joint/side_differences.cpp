@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "garment/particles.h"
 #include "joint/joint_system.h"
 #include "joint/length_evidence.h"
 #include "joint/refine.h"
@@ -71,9 +72,8 @@ std::vector<double> side_differences(const GarmentTemplate& garment, const Joint
   }
   model.add_slopes(extra, kSpread);
   const auto all = static_cast<Eigen::Index>(model.dimension_count());
-  std::vector<Vec3> x(fit.pattern.particle_count);
-  for (std::size_t v = 0; v < fit.draped.size(); ++v) x[fit.pattern.particle[v]] = fit.draped[v];
-  x = refine(fit.pattern, x, model.pattern());
+  std::vector<Vec3> x =
+      refine(fit.pattern, particle_positions(fit.pattern, fit.draped), model.pattern());
   std::vector<bool> held;
   for (const Dimension& d : garment.dimensions()) held.push_back(options.fixed.contains(d.name));
   held.resize(static_cast<std::size_t>(all), false);

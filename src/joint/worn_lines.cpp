@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "garment/drawn_line.h"
+#include "garment/particles.h"
 #include "garment/plane.h"
 #include "garment/template_data.h"
 #include "garment/worn_normals.h"
@@ -96,9 +97,7 @@ double arc_over_chord(const Vec3& chord, const Vec3& normal_a, const Vec3& norma
 std::map<std::string, double> worn_lines(const GarmentTemplate& garment,
                                          const Dimensions& dimensions, const Pattern& pattern,
                                          const std::vector<Vec3>& positions) {
-  std::vector<Vec3> particles(pattern.particle_count, Vec3::Zero());
-  for (std::size_t v = 0; v < positions.size(); ++v) particles[pattern.particle[v]] = positions[v];
-  const std::vector<Vec3> normals = worn_normals(pattern, particles);
+  const std::vector<Vec3> normals = worn_normals(pattern, particle_positions(pattern, positions));
   std::vector<WornPanel> panels;
   for (std::size_t p = 0; p < pattern.panel_names.size(); ++p)
     panels.emplace_back(pattern, positions, normals, static_cast<int>(p));

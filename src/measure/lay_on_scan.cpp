@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "garment/particles.h"
 #include "garment/springs.h"
 #include "garment/worn_normals.h"
 #include "geometry/closed_curve.h"
@@ -81,8 +82,7 @@ std::vector<Vec3> lay_on_scan(const Pattern& pattern, const std::vector<Vec3>& p
   const Cloth target = cloth_samples(samples, cloth);
   if (target.positions.empty()) return placed;
   const PointTree tree(target.positions);
-  std::vector<Vec3> x(pattern.particle_count, Vec3::Zero());
-  for (std::size_t v = 0; v < placed.size(); ++v) x[pattern.particle[v]] = placed[v];
+  std::vector<Vec3> x = particle_positions(pattern, placed);
   const std::vector<Spring> links = springs(pattern);
   for (int round = 0; round < options.rounds; ++round) {
     pull_to_scan(tree, target, worn_normals(pattern, x), options.reach, x);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "garment/particles.h"
 #include "geometry/closest_point.h"
 #include "geometry/parallel.h"
 #include "geometry/point_tree.h"
@@ -47,13 +48,7 @@ struct Sheet {
 };
 
 Sheet::Sheet(const Pattern& pattern, const std::vector<Vec3>& draped, const CutOptions& options)
-    : positions(static_cast<std::size_t>(pattern.particle_count), Vec3::Zero()) {
-  for (std::size_t v = 0; v < draped.size(); ++v)
-    positions[static_cast<std::size_t>(pattern.particle[v])] = draped[v];
-  for (const Triangle& t : pattern.triangles)
-    triangles.push_back({static_cast<std::uint32_t>(pattern.particle[t[0]]),
-                         static_cast<std::uint32_t>(pattern.particle[t[1]]),
-                         static_cast<std::uint32_t>(pattern.particle[t[2]])});
+    : positions(particle_positions(pattern, draped)), triangles(particle_triangles(pattern)) {
   for (const PatternEdge& edge : pattern.edges) {
     const auto said = options.edge_error.find(edge.name);
     const double error = said == options.edge_error.end() ? options.border_error : said->second;
