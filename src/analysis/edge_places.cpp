@@ -5,11 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "measure/edge_choice.h"
+
 namespace regarment {
 namespace {
-
-constexpr double kSleevesDiffer = 0.04;               // m, both sleeves end alike within this
-constexpr double kUnequal = 1.2, kUnequalMost = 4.8;  // of the log of the weight at that difference
 
 /// Which of its places an edge takes: 0 as found, i its rival i - 1.
 struct Move {
@@ -32,27 +31,21 @@ double weight_at(const GarmentEdge& edge, std::size_t place) {
 /// m from the beginning of the limb's map, a fixed place on an arm, to the edge.
 double along(const GarmentEdges& edges, const GarmentEdge& edge, std::size_t place) {
   const FoundEdge& found = place > 0 ? edge.rivals[place - 1].edge : edge.found;
-  return std::accumulate(found.s.begin(), found.s.end(), 0.0) /
-             static_cast<double>(found.s.size()) -
-         edges.limbs.at(edge.limb).map.s_low;
-}
-
-double unequal(double apart) {
-  return std::min(kUnequalMost, kUnequal * apart * apart / (kSleevesDiffer * kSleevesDiffer));
+  return found.mean_s() - edges.limbs.at(edge.limb).map.s_low;
 }
 
 /// All places of two cuffs, but for both as found.
 void add_cuffs(const GarmentEdges& edges, const std::string& left, const std::string& right,
                std::vector<Choice>& out) {
   const GarmentEdge &l = edges.edges.at(left), &r = edges.edges.at(right);
-  const auto apart = [&](std::size_t a, std::size_t b) {
-    return along(edges, l, a) - along(edges, r, b);
+  const auto lost = [&](std::size_t a, std::size_t b) {
+    return lost_by_unequal_sleeves(along(edges, l, a) - along(edges, r, b));
   };
   const double as_found = weight_at(l, 0) * weight_at(r, 0);
   for (std::size_t a = 0; a <= l.rivals.size(); ++a)
     for (std::size_t b = 0; b <= r.rivals.size(); ++b) {
       if (a + b == 0) continue;
-      const double alike = std::exp(unequal(apart(0, 0)) - unequal(apart(a, b)));
+      const double alike = probability_ratio(lost(a, b) - lost(0, 0));
       // What the finder chose has reasons of its own: nothing is more probable than it.
       const double weight = std::min(1.0, weight_at(l, a) * weight_at(r, b) / as_found * alike);
       out.push_back({{{left, a}, {right, b}}, weight});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace regarment {
 namespace {
@@ -61,8 +60,7 @@ std::map<std::string, HiddenEdge> hidden_edges(const GarmentEdges& edges, const 
   std::map<std::string, HiddenEdge> out;
   for (const auto& [name, edge] : edges.edges) {
     if (!edge.covered || edge.limb != "torso") continue;
-    const std::vector<double>& s = edge.found.s;
-    const double cut = std::accumulate(s.begin(), s.end(), 0.0) / static_cast<double>(s.size());
+    const double cut = edge.found.mean_s();
     out[name] = edge.garment_above ? at_least(kTucked, kTuckedSpread, kLeastHidden)
                                    : at_least(kTopEdge * body.height - cut,
                                               kTopEdgeSpread * body.height, kLeastHidden);

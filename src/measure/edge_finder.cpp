@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "measure/edge_evidence.h"
 #include "measure/level_loops.h"
@@ -218,6 +219,10 @@ FoundEdge edge_on_path(const LimbMap& map, const EdgeSearch& search, const EdgeE
 }
 
 }  // namespace
+
+double FoundEdge::mean_s() const {
+  return std::accumulate(s.begin(), s.end(), 0.0) / static_cast<double>(s.size());
+}
 
 FoundEdge find_edge(const LimbMap& map, const EdgeSearch& search) {
   std::vector<FoundEdge> edges = find_edges(map, search, 1);

@@ -41,6 +41,8 @@ struct FoundEdge {
   std::string evidence;       // "step", "drop" or "colour": what showed most
 
   bool found() const { return !s.empty(); }
+  /// m along the limb, mean of the columns; the edge must be found.
+  double mean_s() const;
 };
 
 /// Finds the closed loop round the limb that best separates cloth from what lies under it: for each

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "measure/covered_edge.h"
+#include "measure/edge_choice.h"
 #include "measure/judge_edges.h"
 #include "measure/rim.h"
 
@@ -32,10 +32,6 @@ constexpr double kCuffBefore = 0.06;   // m, the shortest sleeve ends so far bef
 constexpr double kSleeveRadius = 0.1;  // m, what lies further from an arm's axis is torso
 constexpr int kCandidates = 4;         // places where an edge may be that are compared
 constexpr int kCuffCandidates = 10;    // folds of a sleeve look like its edge
-constexpr double kSleevesDiffer = 0.04;               // m, both sleeves end alike within this
-constexpr double kUnequal = 0.1, kUnequalMost = 0.4;  // evidence lost at that difference, at most
-constexpr double kSureness = 12;  // a rival with less evidence is exp(-12 times it) as probable
-constexpr double kLeastWeight = 0.05;  // of that of the best: less probable ones are not said
 constexpr double kArmLead = 0.12;      // m of the shoulder before the armpit
 constexpr double kCuffStray = 0.015, kCuffTilt = 0.05;  // m, a cuff is cut straight
 // The lowest hem drops to the legs, those above it step down to other cloth.
@@ -115,39 +111,6 @@ struct Resolution {
   double step(double finest) const { return finest * scale; }
   int columns(int most) const { return std::max(16, static_cast<int>(most / scale)); }
 };
-
-double mean_of(const std::vector<double>& v) {
-  return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
-}
-
-/// Where a sleeve may end.
-struct Cuff {
-  std::string name, limb;
-  double map_low = 0;             // m, where the map of its arm begins: a fixed place on the arm
-  std::vector<FoundEdge> places;  // in order of `score`
-
-  double along(std::size_t i) const { return mean_of(places[i].s) - map_low; }
-};
-
-/// Makes one of the places the edge and those that are nearly as probable its rivals; `score` tells
-/// how probable they are.
-void settle(std::vector<FoundEdge> places, std::size_t chosen, double FoundEdge::*score,
-            GarmentEdge& edge) {
-  const double best = places[chosen].*score;
-  double sum = 1;
-  std::vector<EdgeHypothesis> rivals;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i == chosen) continue;
-    // What was not chosen although it shows more has reasons against it: as good as the chosen one.
-    const double weight = std::exp(kSureness * std::min(0.0, places[i].*score - best));
-    if (weight < kLeastWeight) continue;
-    rivals.push_back({std::move(places[i]), weight});
-    sum += weight;
-  }
-  for (EdgeHypothesis& rival : rivals) rival.weight /= sum;
-  edge.found = std::move(places[chosen]);
-  edge.rivals = std::move(rivals);
-}
 
 struct Finder {
   const SurfaceSamples& samples;
@@ -284,35 +247,8 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   if (!cuff.places.empty()) cuffs.push_back(std::move(cuff));
 }
 
-/// Of the places where cuffs may be, those of most evidence; where there are two sleeves, they end
-/// at about the same distance from the shoulders.
 void Finder::choose_cuffs() {
-  std::vector<std::size_t> chosen;
-  for (const Cuff& cuff : cuffs) {
-    const auto most = std::max_element(
-        cuff.places.begin(), cuff.places.end(),
-        [](const FoundEdge& a, const FoundEdge& b) { return a.even_score < b.even_score; });
-    chosen.push_back(static_cast<std::size_t>(most - cuff.places.begin()));
-  }
-  if (cuffs.size() == 2) {
-    double best = -1e9;
-    for (std::size_t a = 0; a < cuffs[0].places.size(); ++a)
-      for (std::size_t b = 0; b < cuffs[1].places.size(); ++b) {
-        const double apart = (cuffs[0].along(a) - cuffs[1].along(b)) / kSleevesDiffer;
-        const double sum = cuffs[0].places[a].even_score + cuffs[1].places[b].even_score -
-                           std::min(kUnequalMost, kUnequal * apart * apart);
-        if (sum > best) best = sum, chosen = {a, b};
-      }
-  }
-  for (std::size_t c = 0; c < cuffs.size(); ++c) {
-    GarmentEdge found;
-    found.limb = cuffs[c].limb;
-    found.garment_above = false;
-    // Places come in order of their score.
-    if (chosen[c] != 0) found.clearest = cuffs[c].places.front();
-    settle(std::move(cuffs[c].places), chosen[c], &FoundEdge::even_score, found);
-    out.edges.emplace(cuffs[c].name, std::move(found));
-  }
+  for (auto& [name, edge] : settled_cuffs(std::move(cuffs))) out.edges.emplace(name, edge);
 }
 
 /// Where a neckline of this width and depth would lie on the shoulders: s per column of the map.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace regarment {
 namespace {
@@ -13,17 +12,12 @@ constexpr double kUnder =
 constexpr double kCoveredReach =
     0.06;  // m beyond where another garment hides an edge: its own hem waves
 
-int column_of(const LimbMap& map, double phi) {
-  constexpr double kPi = std::numbers::pi;
-  return std::clamp(static_cast<int>((phi + kPi) / (2 * kPi) * map.columns), 0, map.columns - 1);
-}
-
 }  // namespace
 
 double GarmentRegion::depth_on_torso(const Vec3& p) const {
   const LimbView& torso = edges_.limbs.at("torso");
   const LimbPoint at = torso.axis.locate(p);
-  const int column = column_of(torso.map, at.phi);
+  const int column = torso.map.column_of(at.phi);
   double depth = -kOutside;
   bool on_fold = false;
   for (const auto& [name, edge] : edges_.edges) {
@@ -37,7 +31,7 @@ double GarmentRegion::depth_on_torso(const Vec3& p) const {
       const LimbView& neck = edges_.limbs.at("neck");
       const LimbPoint ray = neck.axis.locate(p);
       if (p.y() < neck.axis.point({0, 0, 0}).y()) continue;
-      depth = std::min(depth, ray.s - edge.found.s[column_of(neck.map, ray.phi)]);
+      depth = std::min(depth, ray.s - edge.found.s[neck.map.column_of(ray.phi)]);
     }
   }
   if (depth <= 0 || on_fold) return depth;
@@ -52,7 +46,7 @@ double GarmentRegion::depth_on_torso(const Vec3& p) const {
 bool GarmentRegion::on_fold(const Vec3& p) const {
   const LimbView& torso = edges_.limbs.at("torso");
   const LimbPoint at = torso.axis.locate(p);
-  const int column = column_of(torso.map, at.phi);
+  const int column = torso.map.column_of(at.phi);
   return std::any_of(edges_.edges.begin(), edges_.edges.end(), [&](const auto& edge) {
     return edge.second.limb == "torso" && !std::isnan(edge.second.folds.at(column, at.r));
   });
@@ -65,7 +59,7 @@ double GarmentRegion::depth_on_arm(const Vec3& p, int side) const {
   if (view == edges_.limbs.end()) return kOutside;
   const LimbPoint at = view->second.axis.locate(p);
   for (const auto& [name, edge] : edges_.edges)
-    if (edge.limb == limb) return edge.found.s[column_of(view->second.map, at.phi)] - at.s;
+    if (edge.limb == limb) return edge.found.s[view->second.map.column_of(at.phi)] - at.s;
   // This sleeve's edge is not seen: as far along the arm as the other one.
   for (const auto& [name, edge] : edges_.edges) {
     if (edge.limb != "left_arm" && edge.limb != "right_arm") continue;

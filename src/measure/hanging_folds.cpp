@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "geometry/point_tree.h"
 #include "measure/garment_edges.h"
@@ -24,11 +23,6 @@ constexpr double kAbove = 0.25;       // m above the hem that folds are followed
 constexpr double kCutOff = 0.02;      // m above the hem: what ends higher shows no hem
 constexpr int kLeastRim = 5;    // cells that a fold reaches outwards, or the edge leaves it out
 constexpr int kLeastCells = 4;  // of a fold
-
-int column_of(const LimbMap& map, double phi) {
-  constexpr double kPi = std::numbers::pi;
-  return std::clamp(static_cast<int>((phi + kPi) / (2 * kPi) * map.columns), 0, map.columns - 1);
-}
 
 double median(std::vector<double>& v) {
   const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
@@ -87,7 +81,7 @@ std::vector<Candidate> candidates(const SurfaceSamples& samples, const Body& bod
     if (body.part[i] != BodyPart::Trunk && body.part[i] != BodyPart::Loose) continue;
     if (samples.normals[i].y() < -kRim) continue;
     const LimbPoint at = torso.axis.locate(samples.positions[i]);
-    const int column = column_of(torso.map, at.phi);
+    const int column = torso.map.column_of(at.phi);
     const double below = hem.s[column] - at.s;
     if (at.s > std::min(top, hem.s[column] + kAbove) || below > kDeepest || at.r > kWidest)
       continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "base/error.h"
 
@@ -72,10 +71,6 @@ struct Sleeves {
   }
 };
 
-double height_of(const FoundEdge& edge) {
-  return std::accumulate(edge.s.begin(), edge.s.end(), 0.0) / static_cast<double>(edge.s.size());
-}
-
 std::string describe(const std::string& name, const FoundEdge& edge) {
   char text[160];
   std::snprintf(
@@ -98,14 +93,14 @@ void Judge::no_sleeves() const {
 
 void Judge::other_garment() const {
   char height[32];
-  std::snprintf(height, sizeof height, "%.0f cm", 100 * height_of(edges.top_of_other));
+  std::snprintf(height, sizeof height, "%.0f cm", 100 * edges.top_of_other.mean_s());
   throw NoGarmentError("no " + title + " on this scan: " + height +
                        " above the floor it shows the top edge of something that hangs from the "
                        "waist; ask for the garment that is worn");
 }
 
 bool Judge::at_fork(const FoundEdge& edge) const {
-  const double mean = height_of(edge);
+  const double mean = edge.mean_s();
   return mean > body.fork - kForkBelow && mean < body.fork + kForkAbove;
 }
 
@@ -129,7 +124,7 @@ void Judge::skirt() const {
 bool Judge::hangs_from_waist(const FoundEdge& hem) const {
   const FoundEdge& top = edges.top_of_other;
   if (!top.found()) return false;
-  const double above = height_of(top) - height_of(hem);
+  const double above = top.mean_s() - hem.mean_s();
   if (std::abs(above) < kSamePlace) return hem.score < top.score + kHemLead;
   return (above < 0 || above > kWellAbove) && top.score >= kTopScore &&
          top.coverage >= kTopCoverage;

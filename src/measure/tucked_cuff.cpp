@@ -1,7 +1,6 @@
 #include "measure/tucked_cuff.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace regarment {
 namespace {
@@ -19,8 +18,7 @@ bool is_tucked(const GarmentEdge& cuff, const GarmentEdges& edges, const Body& b
   const double armpit = body.armpit[cuff.limb == "left_arm" ? 0 : 1];
   if (!(armpit > 0)) return false;
   const LimbView& arm = edges.limbs.at(cuff.limb);
-  const double at = std::accumulate(cuff.found.s.begin(), cuff.found.s.end(), 0.0) /
-                    static_cast<double>(cuff.found.s.size());
+  const double at = cuff.found.mean_s();
   if (at > kNearArmpit || arm.axis.tangent(at).y() > -kLowered) return false;
   const std::vector<Vec3> points = edge_points(cuff.found, arm.map, arm.axis);
   const auto lowest = std::min_element(points.begin(), points.end(),

@@ -169,6 +169,12 @@ double LimbMap::column_phi(double j) const {
   return -std::numbers::pi + (j + 0.5) * 2 * std::numbers::pi / columns;
 }
 
+int LimbMap::column_of(double phi) const {
+  const double turn = std::remainder(phi, 2 * std::numbers::pi);
+  return std::clamp(static_cast<int>((turn + std::numbers::pi) / (2 * std::numbers::pi) * columns),
+                    0, columns - 1);
+}
+
 double outer_radius(const LimbMap& map, double s, double phi, double reach) {
   const double turn = phi / (2 * std::numbers::pi) + 0.5;
   const int j = std::clamp(static_cast<int>(turn * map.columns), 0, map.columns - 1);

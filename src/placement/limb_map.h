@@ -71,6 +71,8 @@ struct LimbMap {
   double row_s(double i) const { return s_low + (i + 0.5) * step; }
   double row_of(double s) const { return (s - s_low) / step - 0.5; }
   double column_phi(double j) const;
+  /// The column that holds the angle `phi`, radians, any turn.
+  int column_of(double phi) const;
 };
 
 /// Outer radius near (s, phi), m: of the cell, of a cell up to two rows away, or between the

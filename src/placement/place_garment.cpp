@@ -91,21 +91,15 @@ struct Placer {
   void place_sleeve(int panel);
 };
 
-int column_of(const LimbMap& map, double phi) {
-  const double wrapped = std::remainder(phi, 2 * kPi);
-  return std::clamp(static_cast<int>((wrapped + kPi) / (2 * kPi) * map.columns), 0,
-                    map.columns - 1);
-}
-
 double Placer::edge_at(const std::string& edge, const LimbMap& map, double phi) const {
-  return target.edge_s.at(edge)[column_of(map, phi)];
+  return target.edge_s.at(edge)[map.column_of(phi)];
 }
 
 Vec3 Placer::on_limb(const std::string& name, double s, double phi) const {
   const LimbView& view = limb(name);
   const int row =
       std::clamp(static_cast<int>(std::lround(view.map.row_of(s))), 0, view.map.rows - 1);
-  const double r = radius.at(name)[view.map.index(row, column_of(view.map, phi))];
+  const double r = radius.at(name)[view.map.index(row, view.map.column_of(phi))];
   return view.axis.point({s, std::remainder(phi, 2 * kPi), r + clearance});
 }
 
@@ -133,10 +127,10 @@ void Placer::place_torso(int panel) {
     for (const double phi : {0.5 * kPi, -0.5 * kPi}) {
       const double s = edge_at(upper, neck.map, phi);
       const int row = std::clamp(static_cast<int>(neck.map.row_of(s)), 0, neck.map.rows - 1);
-      sum += 0.5 *
-             neck.axis
-                 .point({s, phi, radius.at("neck")[neck.map.index(row, column_of(neck.map, phi))]})
-                 .y();
+      sum +=
+          0.5 *
+          neck.axis.point({s, phi, radius.at("neck")[neck.map.index(row, neck.map.column_of(phi))]})
+              .y();
     }
     neck_top = sum;
   }
