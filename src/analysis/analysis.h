@@ -39,7 +39,7 @@ struct Measurement {
   std::optional<WornSources> sources;  // of `worn`, by the method joint
   std::vector<RivalLength> rivals;     // most probable first; the interval takes them into account
   bool fixed = false;                  // a person knows it: `flat` is what they said, held exactly
-  bool observable = true;              // false: the scan says nothing, `flat` is a typical value
+  bool observable = true;              // false: the scan says nothing, `flat` is a probable value
   std::optional<double> truth;         // given by the user
   std::optional<double> tol_minus, tol_plus, published;  // given by the user, m
 };

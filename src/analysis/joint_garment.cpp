@@ -16,7 +16,6 @@
 namespace regarment {
 namespace {
 
-constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standard deviations
 // Of the cloth seen that lies on the fitted garment. Of 186 fits to what made people wear one has
 // less than 0.8, none less than 0.7. Fits of what they do not wear have as much: this tells a fit
 // that failed; the wrong garment shows in its edges.

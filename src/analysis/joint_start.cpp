@@ -84,8 +84,10 @@ std::vector<JointStart> joint_starts(const GarmentTemplate& garment, int layer, 
     try {
       SeenGarment other = look_between(std::move(places[i].edges), garment, stage);
       made[i] = start_from(std::move(other), garment, pattern, stage, {});
-    } catch (const Error&) {
+    } catch (const NoGarmentError&) {
       made[i].reset();  // no garment can lie there: the place is none
+    } catch (const InvalidInput&) {
+      made[i].reset();  // its edges make no shape to start from
     }
   };
   parallel_for(places.size(), 1, [&](std::size_t begin, std::size_t end) {

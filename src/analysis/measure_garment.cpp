@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "analysis/mixture.h"
 #include "analysis/stage.h"
 #include "garment/hold_dimensions.h"
 #include "measure/garment_region.h"
@@ -10,7 +11,6 @@
 namespace regarment {
 namespace {
 
-constexpr double kNormal90 = 1.645;      // half width of a 90 % interval in standard deviations
 constexpr double kFabricStretch = 0.05;  // tight cloth is worn up to this much longer than flat
 
 /// Is this length a tight one, worn longer than flat? Waists, hips and whatever is measured below a

@@ -4,6 +4,8 @@
 
 namespace regarment {
 
+inline constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in deviations
+
 /// One of several things that may be so, and what a length would then be.
 struct Outcome {
   double weight = 0;              // > 0

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/mixture.h"
+
 namespace regarment {
 namespace {
-
-constexpr double kNormal90 = 1.645;  // half width of a 90 % interval in standard deviations
 
 // Of a hem's girth: how far a fit may lie off the edge seen, how much the edge counts, and half
 // widths of 90 % intervals, of the girth and of the distance between both.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/closed_curve.h"
 
 namespace regarment {
 
@@ -19,18 +19,10 @@ EdgeLoop::EdgeLoop(std::vector<Vec3> points) : points_(std::move(points)) {
 }
 
 EdgeLoop::Place EdgeLoop::nearest(const Vec3& p) const {
-  Place best{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Vec3& a = points_[i];
-    const Vec3 piece = points_[(i + 1) % points_.size()] - a;
-    const double squared = piece.squaredNorm();
-    const double share = squared > 0 ? std::clamp((p - a).dot(piece) / squared, 0.0, 1.0) : 0.0;
-    const double distance = (a + share * piece - p).norm();
-    if (distance < best.distance)
-      best = {distance, (i == 0 ? 0.0 : ends_[i - 1]) + share * std::sqrt(squared)};
-  }
-  if (best.along >= length()) best.along = 0;
-  return best;
+  const CurvePoint found = closest_on_curve(points_, p);
+  const double before = found.piece == 0 ? 0.0 : ends_[found.piece - 1];
+  const double along = before + found.share * found.along.norm();
+  return {(found.point - p).norm(), along < length() ? along : 0.0};
 }
 
 Vec3 EdgeLoop::at(double along) const {

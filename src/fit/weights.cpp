@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/median.h"
 
 namespace regarment {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 constexpr double kLeastDistance = 1e-5;  // m
 constexpr double kLeastStretch = 0.01;   // of |1 - E_stretch|
 constexpr double kLeastSilhouette = 0.01;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 

@@ -284,7 +284,7 @@ class Drawing {
     const auto& all = garment_.dimensions();
     const auto at = std::find_if(all.begin(), all.end(),
                                  [&](const Dimension& d) { return d.name == dimension.name; });
-    return {static_cast<char>('A' + (at - all.begin()) % 26)};
+    return dimension_letter(static_cast<std::size_t>(at - all.begin()));
   }
 
   std::string draw_badge(const Vec2& p, const std::string& letter) const {
@@ -364,6 +364,8 @@ class Drawing {
 };
 
 }  // namespace
+
+std::string dimension_letter(std::size_t index) { return {static_cast<char>('A' + index % 26)}; }
 
 std::string pattern_svg(const GarmentTemplate& garment, const Dimensions& dimensions,
                         const PatternDrawingOptions& options) {

@@ -20,6 +20,9 @@ struct PatternDrawingOptions {
   PatternStyle style = PatternStyle::Pattern;
 };
 
+/// The letter of a template's dimension number `index` beside the arrows of a sketch: A, B, ...
+std::string dimension_letter(std::size_t index);
+
 /// The flat pattern in real size (SVG text; one user unit is one millimetre): every distinct piece
 /// side by side with its outline, seams inside it dashed, centre line, construction lines, grain
 /// line, and an arrow per measurement with code, title and length; below, a table of the

@@ -6,7 +6,7 @@
 namespace regarment {
 
 CurvePoint closest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
-  CurvePoint best{curve.front(), Vec3::Zero()};
+  CurvePoint best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const Vec3& from = curve[i];
@@ -16,7 +16,7 @@ CurvePoint closest_on_curve(const std::vector<Vec3>& curve, const Vec3& p) {
     const Vec3 here = from + share * along;
     if ((here - p).squaredNorm() >= least) continue;
     least = (here - p).squaredNorm();
-    best = {here, along};
+    best = {here, along, i, share};
   }
   return best;
 }

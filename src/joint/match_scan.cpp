@@ -75,10 +75,10 @@ void match_edges(const JointTarget& target, const std::vector<Vec3>& normals,
     const double weight = parts / (error * error) / static_cast<double>(edge.vertices.size());
     for (const int v : edge.vertices) {
       const int p = model.pattern().particle[v];
-      const auto [point, along] = closest_on_curve(seen->second.curve, x[p]);
-      const Vec3 across = along.cross(normals[p]);
+      const CurvePoint at = closest_on_curve(seen->second.curve, x[p]);
+      const Vec3 across = at.along.cross(normals[p]);
       if (!(across.norm() > 1e-12)) continue;
-      model.edges.push_back({p, point, across.normalized(), weight});
+      model.edges.push_back({p, at.point, across.normalized(), weight});
     }
   }
 }

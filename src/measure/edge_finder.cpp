@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/median.h"
 #include "measure/edge_evidence.h"
 #include "measure/level_loops.h"
 
@@ -60,13 +61,6 @@ std::vector<int> best_path(const std::vector<double>& score, int rows, int colum
     if (k > 0) i = from[k][i];
   }
   return path;
-}
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
 }
 
 /// Fills what was not seen from the nearest seen columns on both sides, linearly round the loop.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/median.h"
 #include "geometry/point_tree.h"
 #include "measure/garment_edges.h"
 
@@ -23,12 +24,6 @@ constexpr double kAbove = 0.25;       // m above the hem that folds are followed
 constexpr double kCutOff = 0.02;      // m above the hem: what ends higher shows no hem
 constexpr int kLeastRim = 5;    // cells that a fold reaches outwards, or the edge leaves it out
 constexpr int kLeastCells = 4;  // of a fold
-
-double median(std::vector<double>& v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 /// How far the hem and what is seen at each height stand out round every column.
 class Surroundings {

@@ -15,12 +15,6 @@ constexpr double kHalfSlice = 0.004;     // m, half the thickness of a slice tha
 
 }  // namespace
 
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
-
 std::vector<int> Observer::on_cloth(const std::vector<int>& members) const {
   std::vector<int> kept;
   for (int m : members)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/median.h"
 #include "measure/level_fit.h"
 #include "measure/observer.h"
 #include "measure/section.h"
@@ -110,7 +111,7 @@ ObservedLength Observer::cuff_girth(const Observation& o, const GarmentEdge& e) 
     bridged += s.bridged / static_cast<double>(slices.size());
   }
   // The edge itself is longer than plane slices where its lower side hangs into the armpit.
-  const double across = median_of(lengths);
+  const double across = median(lengths);
   const double along =
       kSmoothed * closed_length(edge_points(e.found, limb(e).map, limb(e).axis), 1);
   const bool hangs =

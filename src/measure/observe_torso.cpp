@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/median.h"
 #include "measure/level_fit.h"
 #include "measure/observer.h"
 
@@ -147,7 +148,7 @@ ObservedLength Observer::chest_girth(const Observation& o, const GarmentEdge& e)
     lengths.push_back(outline.length()), bridged += outline.bridged;
   }
   if (lengths.size() < 2) return {&o, 0, 0, false};
-  const double value = median_of(lengths), share = bridged / static_cast<double>(lengths.size());
+  const double value = median(lengths), share = bridged / static_cast<double>(lengths.size());
   return {&o, value, (0.007 + kBridgedShare * share) * value + kLeastDeviation, true};
 }
 

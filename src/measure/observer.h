@@ -73,6 +73,4 @@ struct Observer {
   double centre_path(const GarmentEdge& from, const GarmentEdge& to, double phi) const;
 };
 
-double median_of(std::vector<double> values);  // of at least one
-
 }  // namespace regarment

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/median.h"
 #include "measure/outline_field.h"
 #include "measure/point_buckets.h"
 
@@ -146,9 +147,7 @@ double median_scatter(const std::vector<Vec2>& curve, const std::vector<Vec2>& p
   const PointBuckets near(points, size);
   std::vector<double> all;
   for (const Vec2& c : curve) all.push_back(Neighbourhood(near, c, size).scatter);
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return median(all);
 }
 
 std::vector<Vec2> smooth(const std::vector<Vec2>& curve, std::size_t half) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/median.h"
 
 namespace regarment {
 namespace {
@@ -121,18 +122,15 @@ LimbAxis trunk_axis(const Body& body) {
   // 16 cm, then smoothed over the same.
   const auto smoothed = [&](std::vector<double> v) {
     const int n = static_cast<int>(v.size()), half = 8;
-    std::vector<double> median(v.size()), mean(v.size());
+    std::vector<double> middle(v.size()), mean(v.size());
     for (int i = 0; i < n; ++i) {
-      std::vector<double> window(v.begin() + std::max(0, i - half),
-                                 v.begin() + std::min(n, i + half + 1));
-      const auto middle = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);
-      std::nth_element(window.begin(), middle, window.end());
-      median[i] = *middle;
+      middle[i] =
+          median({v.begin() + std::max(0, i - half), v.begin() + std::min(n, i + half + 1)});
     }
     for (int i = 0; i < n; ++i) {
       double sum = 0, weight = 0;
       for (int k = std::max(0, i - half); k < std::min(n, i + half + 1); ++k)
-        sum += median[k], weight += 1;
+        sum += middle[k], weight += 1;
       mean[i] = sum / weight;
     }
     return mean;

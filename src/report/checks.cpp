@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "report/judgement.h"
 #include "report/text.h"
 
@@ -72,9 +73,8 @@ void check_measured(const Result& result, std::vector<Check>& checks) {
   check.found = of(seen, all.size());
   check.threshold = "Good when the scan shows all, poor when it shows less than half.";
   check.advice =
-      "What the scan does not show is in brackets and is a probable value. Scan without what "
-      "covers "
-      "it, or give what is known with --fix NAME=CM.";
+      "What the scan does not show is in brackets and is a probable value. Scan without "
+      "what covers it, or give what is known with --fix NAME=CM.";
   check.place = "garment-1";
   if (seen < all.size()) {
     check.level = 2 * seen < all.size() ? CheckLevel::Poor : CheckLevel::Look;
@@ -88,12 +88,11 @@ void check_certainty(const Result& result, std::vector<Check>& checks) {
     if (m->observable && !m->fixed) half.push_back((m->high_cm - m->low_cm) / 2.0);
   }
   if (half.empty()) return;
-  const auto middle = half.begin() + static_cast<long>(half.size() / 2);
-  std::nth_element(half.begin(), middle, half.end());
+  const double middle = median(half);
   Check check;
-  check.level = kHalfInterval.up_to(*middle);
+  check.level = kHalfInterval.up_to(middle);
   check.name = "Certainty";
-  check.found = "half of the dimensions to \u00b1" + fixed_text(*middle, 1) + "\u202fcm";
+  check.found = "half of the dimensions to \u00b1" + fixed_text(middle, 1) + "\u202fcm";
   check.threshold = up_to_text(kHalfInterval, "\u202fcm");
   check.advice =
       "Say what is known: --fabric narrows tight places, --fix NAME=CM holds a dimension, --hint "

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "garment/pattern_svg.h"
 #include "report/judgement.h"
 #include "report/page_parts.h"
 #include "report/text.h"
@@ -94,13 +95,10 @@ std::string rivals_in_words(const ResultMeasurement& m) {
   return text;
 }
 
-/// A, B, ... as the sketch has them.
-std::string letter_of(std::size_t index) { return {static_cast<char>('A' + index % 26)}; }
-
 Gaps show_measurement(const ResultGarment& garment, std::size_t index, double half) {
   const ResultMeasurement& m = garment.measurements[index];
   Gaps row;
-  row.set("letter", letter_of(index));
+  row.set("letter", dimension_letter(index));
   row.set("id", garment.template_name + "-" + std::to_string(garment.layer) + "-" + m.code);
   row.set("code", m.code);
   row.set("title", m.title);
@@ -187,7 +185,7 @@ std::string in_words(const ResultGarment& garment) {
   std::string text = "Flat sketch of the " + garment.title + " with its measurements";
   for (std::size_t i = 0; i < garment.measurements.size(); ++i) {
     const ResultMeasurement& m = garment.measurements[i];
-    text += ", " + letter_of(i) + " " + m.title + " " + cm(m.value_cm) + " cm";
+    text += ", " + dimension_letter(i) + " " + m.title + " " + cm(m.value_cm) + " cm";
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/median.h"
 #include "garment/particles.h"
 #include "geometry/closest_point.h"
 #include "geometry/parallel.h"
@@ -165,10 +166,7 @@ double typical_error(const std::vector<SheetPoint>& sheet, const std::vector<dou
   std::vector<double> distance;
   for (std::size_t v = 0; v < sheet.size(); ++v)
     if (depth[v] > kDeep) distance.push_back(sheet[v].distance);
-  if (distance.empty()) return 0;
-  const auto middle = distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2);
-  std::nth_element(distance.begin(), middle, distance.end());
-  return kNormalFromMedian * *middle;
+  return kNormalFromMedian * median(distance);
 }
 
 /// Log-odds that a vertex lies on the sheet. Where the sheet is not on the scan it says nothing.
