@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace regarment {
+
+/// Where the files of jobs lie, below one folder DATA:
+///   DATA/incoming/ID/   an upload not yet queued; sweep_data removes what a crash left there
+///   DATA/jobs/ID/       scan.EXT     the scan as it was sent (ply, obj, off, stl, glb, gltf)
+///                       truth.csv    the true dimensions, where given
+///                       labels.u8    the true labels, where given
+///                       scans/       of an evaluation: the scans of the table
+///                       result/      what the command wrote; appears whole, or is not there
+///                       attempt-N/   an attempt under way
+/// Names come from us alone; what a sender calls a file never becomes part of a path.
+class JobFolders {
+ public:
+  /// Makes DATA, readable to its owner only, and its two folders. Throws UsageError when it may not
+  /// be written, TemporaryError when the disk is full.
+  explicit JobFolders(std::filesystem::path data);
+
+  const std::filesystem::path& data() const { return data_; }
+  /// The file of the SQLite store where no other store is named.
+  std::filesystem::path default_store() const;
+  std::filesystem::path incoming(std::string_view id) const;
+  std::filesystem::path job(std::string_view id) const;
+  std::filesystem::path result(std::string_view id) const;
+  /// The one file scan.* of a job. Throws ReadError when there is none.
+  std::filesystem::path scan(std::string_view id) const;
+
+  /// Makes the folder for an upload. Throws as the constructor does.
+  std::filesystem::path begin_upload(std::string_view id) const;
+  /// Moves an upload among the jobs, in one step; call it just before JobStore::create.
+  void accept_upload(std::string_view id) const;
+  /// Removes whatever there is of a job, in one step first, so that no reader finds half of it.
+  void remove(std::string_view id) const;
+  /// Bytes of all files of a job; 0 when it has none.
+  std::uint64_t bytes(std::string_view id) const;
+  /// Bytes free for us on the disk of DATA.
+  std::uint64_t free_bytes() const;
+
+ private:
+  std::filesystem::path data_;
+};
+
+}  // namespace regarment
