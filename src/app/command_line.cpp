@@ -117,6 +117,19 @@ CLI::App* add_report(CLI::App& app, ReportArguments& a) {
   return report;
 }
 
+CLI::App* add_review(CLI::App& app, ReviewArguments& a) {
+  CLI::App* review =
+      app.add_subcommand("review", "One page to go through many stored results by keyboard");
+  review
+      ->add_option("DIR", a.folders,
+                   "Folders of 'regarment fit' or 'regarment evaluate', or folders of such folders")
+      ->required();
+  review->add_option("--out", a.out, "The page, such as review.html")->required();
+  review->add_flag("--force", a.force, "Replace a page that is there");
+  add_speech(*review, a.speech);
+  return review;
+}
+
 CLI::App* add_render(CLI::App& app, RenderArguments& a) {
   CLI::App* render = app.add_subcommand("render", "Draw meshes and clouds from four sides");
   render->add_option("MESH", a.meshes, "Meshes or point clouds")->required();
@@ -139,7 +152,8 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
-constexpr const char* kCommands = "fit, refit, evaluate, synthesize, report, render or templates";
+constexpr const char* kCommands =
+    "fit, refit, evaluate, synthesize, report, review, render or templates";
 
 // CLI11 prints an unknown command as an argument it did not expect.
 void check_command_name(int argc, const char* const* argv) {
@@ -152,7 +166,7 @@ void check_command_name(int argc, const char* const* argv) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
   for (const std::string_view known :
-       {"fit", "refit", "evaluate", "synthesize", "report", "render", "templates"}) {
+       {"fit", "refit", "evaluate", "synthesize", "report", "review", "render", "templates"}) {
     if (name == known) return;
   }
   throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
@@ -212,6 +226,11 @@ void check(const SynthesizeArguments& a) {
   for (const std::string& garment : a.garments) check_value("--garment", garment);
 }
 
+void check(const ReviewArguments& a) {
+  check_value("--out", a.out);
+  for (const auto& folder : a.folders) check_value("DIR", folder);
+}
+
 void check(const RenderArguments& a) {
   check_value("--out", a.out);
   for (const auto& mesh : a.meshes) check_value("MESH", mesh);
@@ -234,6 +253,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   EvaluateArguments evaluate;
   SynthesizeArguments synthesize;
   ReportArguments report;
+  ReviewArguments review;
   RenderArguments render;
   TemplatesArguments templates;
   CLI::App app("Finds the flat dimensions of garments on 3D scans of dressed people.", "regarment");
@@ -245,6 +265,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* evaluate_app = add_evaluate(app, evaluate);
   CLI::App* synthesize_app = add_synthesize(app, synthesize);
   CLI::App* report_app = add_report(app, report);
+  CLI::App* review_app = add_review(app, review);
   CLI::App* render_app = add_render(app, render);
   add_templates(app, templates);
   for (CLI::App* command : app.get_subcommands({})) {
@@ -269,6 +290,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == evaluate_app) return check(evaluate), evaluate;
   if (used() == synthesize_app) return check(synthesize), synthesize;
   if (used() == report_app) return check_value("DIR", report.folder), report;
+  if (used() == review_app) return check(review), review;
   if (used() == render_app) return check(render), render;
   return templates;
 }

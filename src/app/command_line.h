@@ -87,6 +87,14 @@ struct ReportArguments {
   std::filesystem::path folder;
 };
 
+/// regarment review DIR... --out PAGE
+struct ReviewArguments {
+  Speech speech;
+  std::vector<std::filesystem::path> folders;  // at least one
+  std::filesystem::path out;
+  bool force = false;
+};
+
 /// regarment render MESH... --out DIR
 struct RenderArguments {
   Speech speech;
@@ -107,8 +115,9 @@ struct TextAnswer {
   std::string text;
 };
 
-using Command = std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
-                             ReportArguments, RenderArguments, TemplatesArguments, TextAnswer>;
+using Command =
+    std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
+                 ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

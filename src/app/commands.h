@@ -26,6 +26,9 @@ void run_synthesize(const SynthesizeArguments& arguments, Console& console);
 /// Makes report.html of a stored result again. Says its path.
 void run_report(const ReportArguments& arguments, Console& console);
 
+/// Makes one page to review many stored results by. Says its path.
+void run_review(const ReviewArguments& arguments, Console& console);
+
 /// Draws each mesh from four sides into NAME-SIDE.png. Says the files.
 void run_render(const RenderArguments& arguments, Console& console);
 

@@ -46,6 +46,10 @@ struct Run {
     Console console(arguments.speech, stop);
     run_report(arguments, console);
   }
+  void operator()(const ReviewArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_review(arguments, console);
+  }
   void operator()(const RenderArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_render(arguments, console);

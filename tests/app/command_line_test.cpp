@@ -135,6 +135,16 @@ TEST(CommandLine, RefusesNumbersThatAnnealingCannotUse) {
         << option << " " << value;
 }
 
+TEST(CommandLine, ReadsAReview) {
+  const auto a = std::get<ReviewArguments>(parse({"review", "a", "b", "--out", "r.html"}));
+  EXPECT_EQ(a.folders, (std::vector<std::filesystem::path>{"a", "b"}));
+  EXPECT_EQ(a.out, "r.html");
+  EXPECT_FALSE(a.force);
+  EXPECT_THROW(parse({"review", "--out", "r.html"}), UsageError);
+  EXPECT_THROW(parse({"review", "a"}), UsageError);
+  EXPECT_THROW(parse({"review", "a", "--out", "--force"}), UsageError);
+}
+
 TEST(CommandLine, ReadsAnEvaluation) {
   const auto a = std::get<EvaluateArguments>(
       parse({"evaluate",   "t.csv",  "--out",   "o",          "--scans",   "s",
