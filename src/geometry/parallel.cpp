@@ -6,7 +6,6 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 namespace regarment {
 
@@ -39,6 +38,12 @@ void parallel_for(std::size_t count, std::size_t grain,
   run();
   helpers.clear();
   if (failure) std::rethrow_exception(failure);
+}
+
+void run_together(const std::vector<std::function<void()>>& tasks) {
+  parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) tasks[i]();
+  });
 }
 
 }  // namespace regarment

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace regarment {
 
@@ -11,5 +12,9 @@ namespace regarment {
 /// any part is thrown again in the caller, after all threads have ended.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t begin, std::size_t end)>& work);
+
+/// Calls each of the tasks once, as many at once as the machine has processors; they must not write
+/// what another one reads. Otherwise as parallel_for.
+void run_together(const std::vector<std::function<void()>>& tasks);
 
 }  // namespace regarment

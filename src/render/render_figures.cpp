@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "geometry/parallel.h"
 #include "render/albedo.h"
 #include "render/floor.h"
 #include "render/geometry_pass.h"
@@ -27,6 +28,9 @@ constexpr float kOnTheCloth = 0.02F;  // m
 
 // Half the width of a border line, in samples.
 constexpr double kHalfLine = 1.7;
+
+// Threads that draw views: each needs a context and a copy of the meshes of its own.
+constexpr std::size_t kCasts = 2;
 
 using NoLines = std::vector<std::span<const Vec3>>;
 
@@ -239,15 +243,18 @@ std::vector<Figure> render_figures(const Scene& scene, std::span<const Look> loo
   options.check();
   check_scene(scene);
   const Stage stage = set_stage(scene, looks, options);
-  Cast cast(stage);
-  std::vector<Figure> figures(looks.size() * stage.cameras.size());
-  for (std::size_t v = 0; v < stage.cameras.size(); ++v) {
-    const Sight sight = cast.see(stage.cameras[v]);
-    for (std::size_t l = 0; l < looks.size(); ++l) {
-      figures[l * stage.cameras.size() + v] = {looks[l], options.views[v],
-                                               make_picture(stage, sight, looks[l], options)};
+  const std::size_t views = stage.cameras.size();
+  std::vector<Figure> figures(looks.size() * views);
+  parallel_for(views, (views + kCasts - 1) / kCasts, [&](std::size_t begin, std::size_t end) {
+    Cast cast(stage);
+    for (std::size_t v = begin; v < end; ++v) {
+      const Sight sight = cast.see(stage.cameras[v]);
+      for (std::size_t l = 0; l < looks.size(); ++l) {
+        figures[l * views + v] = {looks[l], options.views[v],
+                                  make_picture(stage, sight, looks[l], options)};
+      }
     }
-  }
+  });
   return figures;
 }
 

@@ -1,8 +1,11 @@
 #include "report/report_folder.h"
 
+#include <utility>
+
 #include "base/error.h"
 #include "garment/pattern_json.h"
 #include "garment/pattern_svg.h"
+#include "geometry/parallel.h"
 #include "geometry/ply_writer.h"
 #include "render/heat_map.h"
 #include "report/borders_json.h"
@@ -73,6 +76,61 @@ std::string numbered(const std::string& name, std::size_t i, const std::string& 
   return name + "-" + std::to_string(i + 1) + ending;
 }
 
+constexpr const char* kView = "pictures/view.json";
+std::string sketch_name(std::size_t i) { return numbered("pictures/sketch", i, ".svg"); }
+std::string evaluations_name(std::size_t i) { return numbered("evaluations", i, ".csv"); }
+
+// The files that wait neither for pictures nor for holes to be closed.
+ReportFiles early_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
+                        const ReportOptions& options) {
+  ReportFiles files;
+  const std::string view = view_json(analysis);
+  if (!view.empty()) files[kView] = view;
+  for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
+    const GarmentAnalysis& garment = analysis.garments[i];
+    files[sketch_name(i)] =
+        pattern_svg(templates[i], garment.dimensions, {.style = PatternStyle::Sketch});
+    files[numbered("pattern", i, ".svg")] = pattern_svg(templates[i], garment.dimensions);
+    files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
+    files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
+    if (garment.trace) files[evaluations_name(i)] = evaluations_csv(*garment.trace);
+  }
+  if (!options.state.empty()) files["state.bin"] = options.state;
+  files["labels.u8"] = labels_file(analysis.labels);
+  files["borders.json"] = borders_json(analysis);
+  files["segmented.ply"] = segmented_ply(analysis);
+  return files;
+}
+
+PageParts parts_of(const ReportFiles& files, const Pictures& pictures, std::size_t garments) {
+  const auto text = [&](const std::string& name) {
+    const auto found = files.find(name);
+    return found == files.end() ? std::string() : found->second;
+  };
+  PageParts parts{pictures.bytes, {}, text(kView), {}};
+  for (std::size_t i = 0; i < garments; ++i) {
+    parts.sketches.push_back(text(sketch_name(i)));
+    parts.evaluations.push_back(text(evaluations_name(i)));
+  }
+  return parts;
+}
+
+// The early files and the rest.
+ReportFiles with_pages(ReportFiles files, const Analysis& analysis,
+                       const std::vector<GarmentTemplate>& templates, const ReportOptions& options,
+                       const FilledScan& filled, const Pictures& pictures) {
+  files.insert(pictures.bytes.begin(), pictures.bytes.end());
+  files["filled.ply"] = filled_ply(analysis.scan, filled);
+  Result result = make_result(analysis, templates, options);
+  result.figures = pictures.figures;
+  files["measurements.csv"] = measurements_csv(result);
+  files["result.json"] = result_json(result);
+  // By way of the file, as `regarment report` does: the page cannot know more than the file.
+  files["report.html"] = report_page(parse_result(files["result.json"], "result.json"),
+                                     parts_of(files, pictures, analysis.garments.size()));
+  return files;
+}
+
 void write_all(const ReportFiles& files, const std::filesystem::path& place, bool replace,
                const Progress& progress) {
   OutputFolder out(place, replace);
@@ -88,14 +146,13 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
   for (const StoredFigure& figure : result.figures) {
     parts.pictures[figure.file] = read_file(folder / figure.file, kMostPicture);
   }
-  const std::filesystem::path view = folder / "pictures/view.json";
+  const std::filesystem::path view = folder / kView;
   if (std::filesystem::exists(view)) parts.view = read_file(view, kMostPicture);
   for (std::size_t i = 0; i < result.garments.size(); ++i) {
-    parts.sketches.push_back(
-        read_file(folder / numbered("pictures/sketch", i, ".svg"), kMostPicture));
+    parts.sketches.push_back(read_file(folder / sketch_name(i), kMostPicture));
     parts.evaluations.emplace_back();
     if (!result.garments[i].search) continue;
-    parts.evaluations.back() = read_file(folder / numbered("evaluations", i, ".csv"), kMostTable);
+    parts.evaluations.back() = read_file(folder / evaluations_name(i), kMostTable);
   }
   return parts;
 }
@@ -105,42 +162,22 @@ PageParts stored_parts(const Result& result, const std::filesystem::path& folder
 ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
                          const ReportOptions& options, const FilledScan& filled,
                          const Pictures& pictures) {
-  Result result = make_result(analysis, templates, options);
-  result.figures = pictures.figures;
-  ReportFiles files(pictures.bytes.begin(), pictures.bytes.end());
-  PageParts parts{pictures.bytes, {}, view_json(analysis), {}};
-  if (!parts.view.empty()) files["pictures/view.json"] = parts.view;
-  for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
-    const GarmentAnalysis& garment = analysis.garments[i];
-    parts.sketches.push_back(
-        pattern_svg(templates[i], garment.dimensions, {.style = PatternStyle::Sketch}));
-    files[numbered("pictures/sketch", i, ".svg")] = parts.sketches.back();
-    files[numbered("pattern", i, ".svg")] = pattern_svg(templates[i], garment.dimensions);
-    files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
-    files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
-    parts.evaluations.push_back(garment.trace ? evaluations_csv(*garment.trace) : "");
-    if (garment.trace) files[numbered("evaluations", i, ".csv")] = parts.evaluations.back();
-  }
-  if (!options.state.empty()) files["state.bin"] = options.state;
-  files["labels.u8"] = labels_file(analysis.labels);
-  files["borders.json"] = borders_json(analysis);
-  files["segmented.ply"] = segmented_ply(analysis);
-  files["filled.ply"] = filled_ply(analysis.scan, filled);
-  files["measurements.csv"] = measurements_csv(result);
-  files["result.json"] = result_json(result);
-  // By way of the file, as `regarment report` does: the page cannot know more than the file.
-  files["report.html"] = report_page(parse_result(files["result.json"], "result.json"), parts);
-  return files;
+  return with_pages(early_files(analysis, templates, options), analysis, templates, options, filled,
+                    pictures);
 }
 
 std::string write_report_folder(const Analysis& analysis,
                                 const std::vector<GarmentTemplate>& templates,
                                 const ReportOptions& options, const std::filesystem::path& place,
                                 bool replace, const Progress& progress) {
-  const FilledScan filled = close_holes(analysis);
+  FilledScan filled;
+  ReportFiles early;
+  run_together({[&] { filled = close_holes(analysis); },
+                [&] { early = early_files(analysis, templates, options); }});
   const Pictures pictures = draw_pictures(analysis, filled, options.threads, progress);
   progress.report("write", 0.0);
-  const ReportFiles files = report_files(analysis, templates, options, filled, pictures);
+  const ReportFiles files =
+      with_pages(std::move(early), analysis, templates, options, filled, pictures);
   write_all(files, place, replace, progress);
   progress.report("write", 1.0);
   return files.at("result.json");
