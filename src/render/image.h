@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -36,6 +37,10 @@ enum class ImageFormat { Png, Jpeg, WebP };
 /// takes more bytes. Same picture, same bytes. Throws InvalidInput for an empty picture and one of
 /// more than 16,383 pixels a side.
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format, int quality = 85);
+
+/// Reads the bytes of a PNG, JPEG or WebP file. Throws ReadError when they are no picture of at
+/// most 2^26 pixels; `name` is used in the message.
+Image decode_image(std::span<const std::byte> bytes, std::string_view name);
 
 /// Writes a PNG. Throws TemporaryError when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);

@@ -63,7 +63,34 @@ TEST(Image, WebPKeepsOpacity) {
   EXPECT_NEAR(back.at(12, 8).r, 200, 8);
 }
 
+TEST(Image, ReadsWhatAnotherReaderReads) {
+  const Image image = noise(41, 27, false);
+  for (const ImageFormat format : {ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::WebP}) {
+    const std::vector<std::byte> bytes = encode_image(image, format, 90);
+    const ImageDifference difference =
+        image_difference(decode_image(bytes, "x"), test::read_picture(bytes));
+    EXPECT_LT(difference.worst, 0.01);  // colours are turned and enlarged with other rounding
+  }
+}
+
+TEST(Image, RefusesEveryBeginningOfAPicture) {
+  for (const ImageFormat format : {ImageFormat::Png, ImageFormat::WebP}) {
+    std::vector<std::byte> bytes = encode_image(noise(20, 20, true), format);
+    for (std::size_t size = 0; size + 16 < bytes.size(); ++size) {
+      EXPECT_THROW(decode_image(std::span(bytes).first(size), "cut"), ReadError) << size;
+    }
+  }
+  const std::vector<std::byte> jpeg = encode_image(noise(20, 20, true), ImageFormat::Jpeg);
+  for (std::size_t size = 0; size < jpeg.size(); ++size) {
+    try {  // what is missing at the end of a JPEG may be filled with grey
+      EXPECT_EQ(decode_image(std::span(jpeg).first(size), "cut").width, 20);
+    } catch (const ReadError&) {
+    }
+  }
+}
+
 TEST(Image, RefusesWhatIsNoPicture) {
+  EXPECT_THROW(decode_image({}, "empty.png"), ReadError);
   EXPECT_THROW(encode_image(Image(), ImageFormat::Png), InvalidInput);
   EXPECT_THROW(encode_image(Image(2, 2), ImageFormat::Jpeg, 0), InvalidInput);
   EXPECT_THROW(encode_image(Image(16'384, 1), ImageFormat::WebP), InvalidInput);
