@@ -80,6 +80,7 @@ struct Job {
   double progress = 0;         // 0 to 1, over the whole job
   std::string stage;           // "measure"; empty before the first
   int attempts = 0;            // begun and not handed back
+  std::int64_t token = 0;      // of the last claim; of a succeeded job: names its result folder
   std::string worker;          // who has it, or had it last
   bool cancel_wanted = false;  // asked for while running
   std::optional<JobError> error;
@@ -92,7 +93,9 @@ struct JobEvent {
   std::int64_t number = 0;
   JobTime time;
   std::string kind;  // "state", "progress" or "review"
-  std::string data;  // a JSON object
+  // A JSON object: {"state", "attempt", "error"?: {"code", "message"}}; {"progress", "stage",
+  // "detail"?}; {"verdict", "note", "by"}.
+  std::string data;
 };
 
 /// Jobs that belong together, with how many are in each state (in the order of kJobStates).

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "jobs/job.h"
+
 namespace regarment {
 
 /// Where the files of jobs lie, below one folder DATA:
@@ -13,9 +15,10 @@ namespace regarment {
 ///                       truth.csv    the true dimensions, where given
 ///                       labels.u8    the true labels, where given
 ///                       scans/       of an evaluation: the scans of the table
-///                       result/      what the command wrote; appears whole, or is not there
-///                       attempt-N/   an attempt under way
-/// Names come from us alone; what a sender calls a file never becomes part of a path.
+///                       result-N/    what the command wrote under the claim with token N; appears
+///                                    whole, and counts once the job succeeded under this token
+/// Ids that are none throw InvalidInput. Names come from us alone; what a sender calls a file never
+/// becomes part of a path.
 class JobFolders {
  public:
   /// Makes DATA, readable to its owner only, and its two folders. Throws UsageError when it may not
@@ -27,7 +30,9 @@ class JobFolders {
   std::filesystem::path default_store() const;
   std::filesystem::path incoming(std::string_view id) const;
   std::filesystem::path job(std::string_view id) const;
-  std::filesystem::path result(std::string_view id) const;
+  /// The result of a job that succeeded. What other result folders there are does not count.
+  std::filesystem::path result(const Job& job) const;
+  std::filesystem::path result(std::string_view id, std::int64_t token) const;
   /// The one file scan.* of a job. Throws ReadError when there is none.
   std::filesystem::path scan(std::string_view id) const;
 
@@ -37,6 +42,8 @@ class JobFolders {
   void accept_upload(std::string_view id) const;
   /// Removes whatever there is of a job, in one step first, so that no reader finds half of it.
   void remove(std::string_view id) const;
+  /// Removes results, whole or half, of all claims of a job but the one with token `keep`.
+  void remove_leftovers(std::string_view id, std::int64_t keep) const;
   /// Bytes of all files of a job; 0 when it has none.
   std::uint64_t bytes(std::string_view id) const;
   /// Bytes free for us on the disk of DATA.

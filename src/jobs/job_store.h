@@ -30,14 +30,14 @@ struct Created {
 
 /// Which jobs to list; what is empty does not matter. Newest first.
 struct JobFilter {
-  std::vector<JobState> states;
-  std::string text;  // part of name, id or garments, letter case aside (of ASCII letters)
-  std::string batch, owner, source;
-  std::optional<JobKind> kind;
-  std::optional<Verdict> verdict;
-  std::optional<bool> reviewed;
-  int limit = 50;     // 1 to 500
-  std::string after;  // `next` of the page before
+  std::vector<JobState> states = {};
+  std::string text = {};  // part of name, id or garments, letter case aside (of ASCII letters)
+  std::string batch = {}, owner = {}, source = {};
+  std::optional<JobKind> kind = {};
+  std::optional<Verdict> verdict = {};
+  std::optional<bool> reviewed = {};
+  int limit = 50;          // 1 to 500
+  std::string after = {};  // `next` of the page before
 };
 
 struct JobPage {
@@ -92,8 +92,9 @@ class JobStore {
   virtual std::optional<Job> cancel(std::string_view id) = 0;
   /// Queues a failed, cancelled or dead job again with all its attempts; else unchanged.
   virtual std::optional<Job> requeue(std::string_view id) = 0;
-  /// Forgets the job in whatever state, with events, review and key; its folder is for the caller
-  /// to remove. A worker that has it learns it at its next heartbeat. False: no such job.
+  /// Forgets the job in whatever state, with events, review and key, and the batch whose last job
+  /// it was; its folder is for the caller to remove. A worker that has it learns it at its next
+  /// heartbeat. False: no such job.
   virtual bool remove(std::string_view id) = 0;
   /// Keeps the verdict (an earlier one is replaced; its event stays). `time` is the store's. False:
   /// no such job, or it has not succeeded.

@@ -1,0 +1,191 @@
+#include "jobs/sqlite_database.h"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/one_line.h"
+
+namespace regarment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kBusyMilliseconds = 10000;
+constexpr std::size_t kLongestText = std::size_t{1} << 20U;
+
+std::string shown(const fs::path& file) { return one_line(file.string(), 300); }
+
+// SQLite would make the file readable to everybody; its side files take the rights of this one.
+void make_file(const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  const int made = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0600);
+  const int why = errno;
+  struct stat facts {};
+  const bool regular = made >= 0 && ::fstat(made, &facts) == 0 && S_ISREG(facts.st_mode);
+  // Closed before SQLite opens the file: a later close would drop the locks it takes.
+  if (made >= 0) ::close(made);
+  if (regular) return;
+  const std::string end = made >= 0 ? "it is no regular file" : std::strerror(why);
+  const std::string message = shown(file) + ": the job store cannot be opened (" + end + ")";
+  if (made < 0 && (why == ENOSPC || why == EDQUOT || why == EMFILE || why == ENFILE)) {
+    throw TemporaryError(message + "; free some and try again");
+  }
+  throw UsageError(message + "; name another --store, or another --data");
+}
+
+}  // namespace
+
+SqliteDatabase::SqliteDatabase(const fs::path& file) : file_(file) {
+  make_file(file_);
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
+  try {
+    check(sqlite3_open_v2(file_.c_str(), &handle_, flags, nullptr));
+    sqlite3_extended_result_codes(handle_, 1);
+    sqlite3_busy_timeout(handle_, kBusyMilliseconds);
+    // Reads the file's head, and so tells whether it is a database at all.
+    number("PRAGMA schema_version");
+    run("PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON; PRAGMA secure_delete=ON");
+  } catch (...) {
+    sqlite3_close(handle_);
+    throw;
+  }
+}
+
+SqliteDatabase::~SqliteDatabase() { sqlite3_close(handle_); }
+
+// Two processes that open a new file at once get in each other's way here, and SQLite does not wait
+// by itself.
+void SqliteDatabase::share() {
+  constexpr int kTries = 200, kPauseMilliseconds = 20;
+  for (int tries = 1;; ++tries) {
+    try {
+      SqliteStatement mode(*this, "PRAGMA journal_mode=WAL");
+      if (mode.step() && mode.text(0) == "wal") return;
+    } catch (const TemporaryError&) {
+      if (tries == kTries) throw;
+    }
+    if (tries == kTries) {
+      throw UsageError(shown(file_) +
+                       ": this file system cannot share a job store (no WAL); put it on a local "
+                       "disk, or use PostgreSQL");
+    }
+    sqlite3_sleep(kPauseMilliseconds);
+  }
+}
+
+void SqliteDatabase::empty_log() {
+  // Where somebody reads, the next one does it.
+  sqlite3_busy_timeout(handle_, 0);
+  sqlite3_wal_checkpoint_v2(handle_, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+  sqlite3_busy_timeout(handle_, kBusyMilliseconds);
+}
+
+void SqliteDatabase::check(int code) const {
+  if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
+  const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+  const std::string message = shown(file_) + ": job store: " + one_line(why, 200);
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      throw TemporaryError(message + "; free some disk and try again");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_IOERR:
+    case SQLITE_CANTOPEN:
+    case SQLITE_NOMEM:
+    case SQLITE_PROTOCOL:
+      throw TemporaryError(message + "; try again later");
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      throw UsageError(message + "; make the file and its folder writable");
+    case SQLITE_NOTADB:
+      throw UsageError(message + "; name another --store");
+    case SQLITE_CORRUPT:
+      throw ReadError(message + "; the file is damaged: put a backup in its place");
+    default:
+      throw InvalidInput(message);
+  }
+}
+
+void SqliteDatabase::run(const std::string& sql) {
+  check(sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
+}
+
+std::int64_t SqliteDatabase::number(const std::string& sql) {
+  SqliteStatement statement(*this, sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+int SqliteDatabase::changes() const { return sqlite3_changes(handle_); }
+
+SqliteStatement::SqliteStatement(SqliteDatabase& database, std::string_view sql)
+    : database_(database) {
+  database_.check(sqlite3_prepare_v2(database_.handle_, sql.data(), static_cast<int>(sql.size()),
+                                     &statement_, nullptr));
+}
+
+SqliteStatement::~SqliteStatement() { sqlite3_finalize(statement_); }
+
+void SqliteStatement::bind(std::int64_t value) {
+  database_.check(sqlite3_bind_int64(statement_, ++bound_, value));
+}
+
+void SqliteStatement::bind(double value) {
+  database_.check(sqlite3_bind_double(statement_, ++bound_, value));
+}
+
+void SqliteStatement::bind(std::string_view value) {
+  if (value.size() > kLongestText) throw InvalidInput("job store: a text longer than 1 MiB");
+  database_.check(sqlite3_bind_text(statement_, ++bound_, value.empty() ? "" : value.data(),
+                                    static_cast<int>(value.size()), SQLITE_TRANSIENT));
+}
+
+bool SqliteStatement::step() {
+  const int code = sqlite3_step(statement_);
+  database_.check(code);
+  return code == SQLITE_ROW;
+}
+
+void SqliteStatement::run() {
+  while (step()) {
+  }
+}
+
+std::int64_t SqliteStatement::integer(int column) const {
+  return sqlite3_column_int64(statement_, column);
+}
+
+double SqliteStatement::real(int column) const { return sqlite3_column_double(statement_, column); }
+
+std::string SqliteStatement::text(int column) const {
+  const void* bytes = sqlite3_column_blob(statement_, column);
+  const int size = sqlite3_column_bytes(statement_, column);
+  return bytes == nullptr
+             ? std::string()
+             : std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+}
+
+bool SqliteStatement::is_null(int column) const {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
+}
+
+SqliteTransaction::SqliteTransaction(SqliteDatabase& database) : database_(database) {
+  database_.run("BEGIN IMMEDIATE");
+}
+
+SqliteTransaction::~SqliteTransaction() {
+  // Some failures end a transaction by themselves; a rollback that fails leaves nothing either.
+  if (sqlite3_get_autocommit(database_.handle_) == 0) {
+    sqlite3_exec(database_.handle_, "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+}
+
+void SqliteTransaction::commit() { database_.run("COMMIT"); }
+
+}  // namespace regarment
