@@ -1,10 +1,20 @@
 #include "evaluation/evaluated_scan.h"
 
 #include <algorithm>
-
 #include <cmath>
 
+#include "report/judgement.h"
+
 namespace regarment {
+
+bool TrueDimension::tolerates(double error_cm) const {
+  ResultMeasurement judged;
+  judged.circumference = circumference;
+  judged.tol_minus_cm = tol_minus_cm;
+  judged.tol_plus_cm = tol_plus_cm;
+  const Tolerance allowed = tolerance_of(judged);
+  return error_cm >= -allowed.minus_cm && error_cm <= allowed.plus_cm;
+}
 
 bool TrueFrame::agrees(const std::string& found_units, const std::string& found_up,
                        const std::string& found_front) const {

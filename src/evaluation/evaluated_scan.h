@@ -17,9 +17,13 @@ struct TrueDimension {
   bool circumference = false;
   double truth_cm = 0;  // the flat garment, > 0
   std::optional<double> worn_cm, published_cm;
+  std::optional<double> tol_minus_cm, tol_plus_cm;  // >= 0
   std::optional<bool> observable;  // whether the scan shows it, where the table says so
 
   bool hidden() const { return observable && !*observable; }
+  /// Whether an error (estimate - truth, cm) is one its tolerance allows, ends included; see
+  /// report/judgement.h for what counts where none is given.
+  bool tolerates(double error_cm) const;
 };
 
 /// How a scan's file lies in space, where a table says so.
@@ -36,6 +40,7 @@ struct TrueFrame {
 struct EvaluationCase {
   std::string name;                             // of its own: a folder's name, "skirt-1.mesh"
   std::filesystem::path scan;                   // may not exist; then its fit says so
+  std::string garment;                          // what the scan shows: scans of one thing have one
   std::vector<std::string> garments;            // templates, outermost first
   std::vector<TrueDimension> dimensions;        // at least one
   std::optional<std::filesystem::path> labels;  // true labels, one byte per vertex

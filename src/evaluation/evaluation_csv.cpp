@@ -30,6 +30,7 @@ std::string row_of(const EvaluatedScan& scan, std::size_t d) {
   const std::vector<std::string> cells = {
       csv_text(scan.about.name),
       csv_text(scan.about.scan.filename().string()),
+      csv_text(scan.about.garment),
       csv_text(scan.about.kind),
       csv_text(joined(scan.about.damage)),
       std::to_string(truth.layer),
@@ -55,7 +56,8 @@ std::string row_of(const EvaluatedScan& scan, std::size_t d) {
 
 std::string evaluation_csv(const Evaluation& evaluation) {
   std::string out =
-      "scan,file,kind,damage,layer,template,measurement,truth_cm,estimate_cm,low_cm,high_cm,"
+      "scan,file,garment,kind,damage,layer,template,measurement,truth_cm,estimate_cm,low_cm,high_"
+      "cm,"
       "error_cm,observable,truth_observable,worn_cm,worn_truth_cm,published_cm,failure\n";
   for (const EvaluatedScan& scan : evaluation.scans) {
     for (std::size_t d = 0; d < scan.about.dimensions.size(); ++d) out += row_of(scan, d);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evaluation/named_statistics.h"
+#include "evaluation/repeats.h"
 #include "report/text.h"
 
 namespace regarment {
@@ -61,9 +62,13 @@ Json dimension_json(const EvaluatedScan& scan, std::size_t d) {
 }
 
 Json scan_json(const EvaluatedScan& scan) {
-  Json out = {{"name", scan.about.name},         {"file", scan.about.scan.filename().string()},
-              {"kind", scan.about.kind},         {"damage", scan.about.damage},
-              {"garments", scan.about.garments}, {"mean_error_cm", number(scan.mean_error_cm())}};
+  Json out = {{"name", scan.about.name},
+              {"file", scan.about.scan.filename().string()},
+              {"garment", scan.about.garment},
+              {"kind", scan.about.kind},
+              {"damage", scan.about.damage},
+              {"garments", scan.about.garments},
+              {"mean_error_cm", number(scan.mean_error_cm())}};
   if (scan.failure) {
     out["failure"] = {{"kind", scan.failure->kind},
                       {"status", scan.failure->status},
@@ -87,6 +92,29 @@ Json scan_json(const EvaluatedScan& scan) {
   }
   out["dimensions"] = dimensions;
   return out;
+}
+
+Json repeats_json(const std::vector<EvaluatedScan>& scans) {
+  const std::vector<RepeatedDimension> repeats = repeated_dimensions(scans);
+  Json summaries = Json::array(), garments = Json::array();
+  for (const RepeatSummary& one : repeat_summaries(repeats)) {
+    summaries.push_back({{"key", one.key},
+                         {"garments", one.garments},
+                         {"scans", one.scans},
+                         {"within_sd_cm", number(one.within_sd_cm)},
+                         {"single_mae_cm", number(one.single_mae_cm)},
+                         {"pooled_mae_cm", number(one.pooled_mae_cm)}});
+  }
+  for (const RepeatedDimension& one : repeats) {
+    garments.push_back({{"garment", one.garment},
+                        {"key", one.key},
+                        {"truth_cm", number(one.truth_cm)},
+                        {"scans", one.scans},
+                        {"mean_error_cm", number(one.mean_error_cm)},
+                        {"sd_cm", number(one.sd_cm)},
+                        {"range_cm", number(one.range_cm)}});
+  }
+  return {{"measurements", summaries}, {"garments", garments}};
 }
 
 Json baseline_json(const BaselineComparison& baseline) {
@@ -126,6 +154,7 @@ std::string evaluation_json(const Evaluation& evaluation) {
   out["statistics"] = groups;
   out["gates"] = gates;
   if (evaluation.baseline) out["baseline"] = baseline_json(*evaluation.baseline);
+  out["repeats"] = repeats_json(evaluation.scans);
   out["scans"] = scans;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

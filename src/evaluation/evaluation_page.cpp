@@ -1,8 +1,10 @@
 #include "evaluation/evaluation_page.h"
 
 #include <algorithm>
+#include <array>
 
 #include "evaluation/page_sections.h"
+#include "report/content_policy.h"
 #include "report/embedded.h"
 #include "report/text.h"
 
@@ -10,6 +12,11 @@ namespace regarment {
 namespace {
 
 constexpr std::size_t kMostWorst = 12;
+
+// Each has a template of its own, filled with the gaps of the whole page.
+constexpr std::array kSections = {"baseline", "measurements", "repeats", "scans", "dimensions"};
+constexpr std::array kStyles = {"report.css", "report_pictures.css", "report_media.css",
+                                "evaluation.css"};
 
 }  // namespace
 
@@ -40,7 +47,6 @@ std::vector<std::size_t> worst_scans(const Evaluation& evaluation) {
 
 std::string evaluation_page(const Evaluation& evaluation) {
   Gaps page;
-  page.set("style", embedded_text("report.css") + embedded_text("evaluation.css"));
   page.set("table", evaluation.table);
   page.set("version", evaluation.version);
   std::string options;
@@ -51,7 +57,19 @@ std::string evaluation_page(const Evaluation& evaluation) {
   show_groups(evaluation, page);
   show_plots(evaluation, page);
   show_scans(evaluation, page);
+  show_repeats(evaluation, page);
+  show_dimensions(evaluation, page);
   show_baseline(evaluation, page);
+  for (const std::string section : kSections) {
+    page.set(section + "_html",
+             fill_template(embedded_text("evaluation_" + section + ".html"), page));
+  }
+  std::string style;
+  for (const char* name : kStyles) style += embedded_text(name);
+  const std::string script = embedded_text("evaluation.js");
+  page.set("style", style);
+  page.set("script", script);
+  page.set("policy", content_policy(style, script));
   return fill_template(embedded_text("evaluation.html"), page);
 }
 

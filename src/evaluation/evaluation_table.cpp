@@ -32,6 +32,13 @@ std::vector<std::string> split(const std::string& text, char at) {
   return out;
 }
 
+// "scans/skirt-1" of "scans/skirt-1.mesh.ply" and of "scans/skirt-1.cloud.ply", which show one
+// garment.
+std::string stem_of(const fs::path& scan) {
+  const std::string name = scan.filename().string();
+  return (scan.parent_path() / name.substr(0, name.find('.', 1))).generic_string();
+}
+
 // A table with what its rows mean.
 class Reader {
  public:
@@ -70,6 +77,8 @@ class Reader {
     out.garments = garments_of(rows);
     std::istringstream words(said(rows, "options"));
     for (std::string word; words >> word;) out.options.push_back(word);
+    out.garment = said(rows, "garment");
+    if (out.garment.empty()) out.garment = stem_of(rows.front().scan);
     out.kind = said(rows, "kind");
     out.damage = split(said(rows, "damage"), ';');
     std::erase(out.damage, "none");
@@ -109,6 +118,8 @@ class Reader {
     out.circumference = known.circumference;
     out.truth_cm = 100 * row.value;
     if (row.published) out.published_cm = 100 * *row.published;
+    if (row.tol_minus) out.tol_minus_cm = 100 * *row.tol_minus;
+    if (row.tol_plus) out.tol_plus_cm = 100 * *row.tol_plus;
     out.worn_cm = table_.number(line, "worn_cm");
     if (out.worn_cm && !(*out.worn_cm > 0 && *out.worn_cm <= kLongestWorn)) {
       fail(row, "worn_cm", "is outside 0 to 1000 cm; give centimetres");

@@ -13,11 +13,12 @@ namespace regarment {
 /// The scans a ground-truth table speaks of, in the order of their first rows; a row that means
 /// several files gives one each. Beyond the columns of report/ground_truth.h these are read:
 /// `worn_cm`, `observable` (true or false) of a row; `labels`, `options` (words between spaces),
-/// `kind`, `damage` (words between semicolons), `units`, `up`, `front` (axes between semicolons,
-/// any of which is right) of a scan, which need to be said in one of its rows and must not differ
-/// between them. `only` is a pattern with * and ? that a scan's name or its file's name must match;
-/// empty: all. Throws ReadError naming line and column of what is wrong, and when there are more
-/// than 5000 scans; UsageError when nothing is left.
+/// `garment` (scans of the same one are repeats; else those of one path up to the first point of
+/// the file's name are), `kind`, `damage` (words between semicolons), `units`, `up`, `front` (axes
+/// between semicolons, any of which is right) of a scan, which need to be said in one of its rows
+/// and must not differ between them. `only` is a pattern with * and ? that a scan's name or its
+/// file's name must match; empty: all. Throws ReadError naming line and column of what is wrong,
+/// and when there are more than 5000 scans; UsageError when nothing is left.
 std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
                                                   const std::filesystem::path& table_folder,
                                                   const std::optional<std::filesystem::path>& scans,

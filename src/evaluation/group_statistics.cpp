@@ -17,17 +17,9 @@ struct Member {
   Chosen chosen;
 };
 
-std::string measurement_key(const TrueDimension& d) {
-  return (d.layer > 1 ? "inner." : "") + d.template_name + "." + d.measurement;
-}
-
 std::string words(std::string text) {
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
-}
-
-std::string measurement_name(const TrueDimension& d) {
-  return words(d.template_name + " " + d.measurement) + (d.layer > 1 ? ", under another" : "");
 }
 
 std::vector<std::string> damages(const EvaluatedScan& scan) {
@@ -95,6 +87,7 @@ void add_dimension(const TrueDimension& truth, const FoundDimension& found, Grou
     ++out.confident;
     if (std::abs(found.value_cm - truth.truth_cm) > kConfidentError) ++out.confident_wrong;
   }
+  if (truth.tolerates(found.value_cm - truth.truth_cm)) ++out.in_tolerance;
   all.truths.push_back(truth.truth_cm);
   all.circumference = truth.circumference;
   all.errors.push_back({truth.truth_cm, found.value_cm, found.low_cm, found.high_cm});
@@ -165,6 +158,14 @@ GroupStatistics summed(const Member& member, const std::vector<EvaluatedScan>& s
 }
 
 }  // namespace
+
+std::string measurement_key(const TrueDimension& d) {
+  return (d.layer > 1 ? "inner." : "") + d.template_name + "." + d.measurement;
+}
+
+std::string measurement_name(const TrueDimension& d) {
+  return words(d.template_name + " " + d.measurement) + (d.layer > 1 ? ", under another" : "");
+}
 
 std::vector<GroupStatistics> group_statistics(const std::vector<EvaluatedScan>& scans) {
   std::vector<GroupStatistics> out;

@@ -28,12 +28,18 @@ struct GroupStatistics {
   std::size_t hidden = 0, hidden_flagged = 0;      // hidden dimensions, and those said to be so
   std::size_t visible = 0, visible_flagged = 0;    // the others, and those said to be hidden
   std::size_t confident = 0, confident_wrong = 0;  // visible and said to be seen; far off
+  std::size_t in_tolerance = 0;                    // of `errors`, see TrueDimension::tolerates
   std::size_t frames = 0, frames_wrong = 0;        // scans with a known frame; units or axes wrong
   std::size_t labelled = 0;                        // scans with true labels
   std::optional<double> miou, border_mm;           // means over these
   std::vector<std::pair<std::string, double>> class_iou;  // of all scans only; means, by name
   std::optional<double> seconds_median, seconds_p95;      // of a scan
 };
+
+/// How a gate names the measurement of a dimension, "skirt.hip" or, of a garment below another,
+/// "inner.skirt.hip"; and its name for a person.
+std::string measurement_key(const TrueDimension& dimension);
+std::string measurement_name(const TrueDimension& dimension);
 
 /// The groups the cases fall into: all, then templates, measurements, layers, kinds and damages,
 /// each sorted by key, measurements of garments below others last. A group of a measurement has the

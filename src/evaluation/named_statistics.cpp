@@ -62,6 +62,10 @@ const std::vector<NamedStatistic>& named_statistics() {
        [](const Group& g) { return of(g.errors, g.errors.within_1cm); }},
       {"within_2cm", Better::Larger,
        [](const Group& g) { return of(g.errors, g.errors.within_2cm); }},
+      {"in_tolerance", Better::Larger,
+       [](const Group& g) {
+         return of(g.errors, static_cast<double>(g.in_tolerance) / static_cast<double>(g.errors.n));
+       }},
       {"intervals", Better::Neither, [](const Group& g) { return number(g.errors.intervals); }},
       {"coverage", Better::NearNinety, [](const Group& g) { return g.errors.coverage; }},
       {"median_width_cm", Better::Smaller, [](const Group& g) { return g.errors.median_width_cm; }},

@@ -1,4 +1,5 @@
 #include "evaluation/error_plots.h"
+#include "evaluation/measurement_plot.h"
 #include "evaluation/page_sections.h"
 #include "report/text.h"
 
@@ -22,6 +23,9 @@ Gaps group_row(const GroupStatistics& group) {
   row.set("p95", figure_text(of(e, e.p95_cm), 2));
   row.set("worst", figure_text(of(e, e.worst_cm), 2));
   row.set("slope", figure_text(e.slope, 3));
+  row.set("sd", figure_text(e.sd_cm, 2));
+  row.set("in_tolerance",
+          percent_text(of(e, static_cast<double>(group.in_tolerance) / static_cast<double>(e.n))));
   row.set("within_1", percent_text(of(e, e.within_1cm)));
   row.set("coverage", percent_text(e.coverage));
   row.set("width", figure_text(e.median_width_cm, 2));
@@ -38,7 +42,9 @@ Gaps group_row(const GroupStatistics& group) {
   row.set("iso_pass", judged && group.iso->within);
   row.set("iso_fail", judged && !group.iso->within);
   row.set("limit", judged ? fixed_text(10 * group.iso->limit_cm, 0) : "");
-  row.set_maybe("spread", e.bias_low_cm ? fixed_text(*e.bias_high_cm - e.bias_cm, 2) : "");
+  row.set("bias_interval",
+          e.bias_low_cm ? signed_text(*e.bias_low_cm, 2) + " to " + signed_text(*e.bias_high_cm, 2)
+                        : "–");
   return row;
 }
 
@@ -87,6 +93,11 @@ void show_plots(const Evaluation& evaluation, Gaps& page) {
   page.set("plot_height", std::to_string(kPlotHeight));
   page.set("agreement", agreement_plot(points));
   page.set("difference", difference_plot(points, errors));
+  const std::vector<MeasurementErrors> rows =
+      measurement_errors(evaluation.scans, evaluation.groups);
+  page.set("rows_width", std::to_string(kMeasurementPlotWidth));
+  page.set("rows_height", std::to_string(measurement_plot_height(rows.size())));
+  page.set("rows_plot", measurement_plot(rows));
   page.set("agreement_words", "Slope of estimate on truth " + figure_text(errors.slope, 3) + ".");
   page.set("difference_words", "Mean error " + signed_text(errors.bias_cm, 2) +
                                    " cm, standard deviation " + figure_text(errors.sd_cm, 2) +

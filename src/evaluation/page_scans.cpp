@@ -49,6 +49,7 @@ Gaps dimension_row(const EvaluatedScan& scan, std::size_t d) {
 
 void set_common(const EvaluatedScan& scan, Gaps& out) {
   out.set("name", scan.about.name);
+  out.set("garment", scan.about.garment);
   out.set("kind", scan.about.kind);
   out.set("garments", words(scan.about.garments));
   out.set_maybe("damage", words(scan.about.damage));

@@ -19,6 +19,12 @@ void show_plots(const Evaluation& evaluation, Gaps& page);
 /// The worst scans with their dimensions and pictures, the failed ones, and all in one table.
 void show_scans(const Evaluation& evaluation, Gaps& page);
 
+/// Garments that several scans show: how far their estimates lie apart, and what pooling brings.
+void show_repeats(const Evaluation& evaluation, Gaps& page);
+
+/// Every dimension that was found, the worst first, as far as a page holds them.
+void show_dimensions(const Evaluation& evaluation, Gaps& page);
+
 /// What differs from an evaluation of before.
 void show_baseline(const Evaluation& evaluation, Gaps& page);
 

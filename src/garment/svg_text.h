@@ -7,7 +7,7 @@
 
 namespace regarment {
 
-/// Small pieces of SVG; coordinates in millimetres, x right, y down. Internal to this library.
+/// Small pieces of SVG; coordinates in millimetres, x right, y down.
 
 /// A text with the five characters of XML escaped.
 std::string xml_escaped(const std::string& text);

@@ -48,6 +48,29 @@ TEST_F(EvaluationTable, ReadsHowTheFileLiesInSpace) {
   EXPECT_FALSE(cases[1].frame.said());
 }
 
+TEST_F(EvaluationTable, KnowsWhichScansShowOneGarment) {
+  for (const char* name : {"a.mesh.ply", "a.cloud.ply", "b.ply", "c.ply"}) make(name);
+  const auto cases = read(
+      "scan,template,measurement,value_cm,tol_minus_cm,tol_plus_cm,garment\n"
+      "a,skirt,hip,94,0.5,2,\nb.ply,skirt,hip,94,,,red\nc.ply,skirt,hip,94,,,red\n");
+  ASSERT_EQ(cases.size(), 4u);
+  EXPECT_EQ(cases[0].garment, "a");
+  EXPECT_EQ(cases[1].garment, "a");
+  EXPECT_EQ(cases[2].garment, "red");
+  EXPECT_EQ(cases[3].garment, "red");
+  EXPECT_NEAR(cases[0].dimensions[0].tol_minus_cm.value(), 0.5, 1e-9);
+  EXPECT_NEAR(cases[0].dimensions[0].tol_plus_cm.value(), 2, 1e-9);
+  EXPECT_FALSE(cases[2].dimensions[0].tol_plus_cm);
+}
+
+TEST_F(EvaluationTable, TakesAMeshAndACloudOfOneNameForOneGarment) {
+  make("a.mesh.ply"), make("a.cloud.ply");
+  const auto cases = read(
+      "scan,template,measurement,value_cm\na.mesh.ply,skirt,hip,94\na.cloud.ply,skirt,hip,94\n");
+  ASSERT_EQ(cases.size(), 2u);
+  EXPECT_EQ(cases[0].garment, cases[1].garment);
+}
+
 TEST_F(EvaluationTable, ReadsWhatIsSaidOfAScan) {
   make("a.mesh.ply");
   make("a.mesh.labels.u8");
