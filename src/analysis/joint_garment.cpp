@@ -6,6 +6,7 @@
 #include "analysis/mixture.h"
 #include "analysis/weigh_estimates.h"
 #include "base/error.h"
+#include "fabric/free_girth.h"
 #include "fabric/worn_stretch.h"
 #include "garment/hold_dimensions.h"
 #include "measure/garment_region.h"
@@ -138,18 +139,24 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
+  const auto free = free_girths(garment, out.dimensions, out.pattern, out.draped);
   const auto covered =
       hidden_dimensions(best.hidden, seen.observed, out.dimensions, garment.typical());
   const double tucked = tucked_share(seen.edges, stage.body);
   for (const Dimension& d : garment.dimensions()) {
     const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
-    const WornEstimate worn = weigh(sources.at(d.name), role, tucked);
+    WornEstimate worn = weigh(sources.at(d.name), role, tucked);
+    Stretch stretched = stretch.at(d.name);
+    if (const auto hanging = free.find(d.name); hanging != free.end()) {
+      worn = weigh_free(worn, hanging->second);
+      stretched = where_free(stretched, hanging->second);
+    }
     const bool is_seen = best.solved.at(d.name).observable;
-    Measurement m = measurement_of(d, worn, stretch.at(d.name), is_seen,
+    Measurement m = measurement_of(d, worn, stretched, is_seen,
                                    under == covered.end() ? nullptr : &under->second, fixed);
     if (is_seen && !m.fixed)
-      add_others(d, worn, stretch.at(d.name), others_of(garment, starts, d.name, role), m);
+      add_others(d, worn, stretched, others_of(garment, starts, d.name, role), m);
     if (m.observable) m.sources = sources.at(d.name);
     out.measurements.push_back(std::move(m));
   }

@@ -22,6 +22,13 @@ struct Weights {
   double over = 1.0;       // how much too long all sources are
 };
 
+// Half widths of 90 % intervals of a girth where it hangs free: m, and of how far it lies from what
+// is seen under the arms.
+constexpr double kFreeLeast = 0.011, kFreeApart = 0.4;
+// How much it counts where it is shorter than what is seen under the arms: holes and folds that
+// nothing shows make a girth too short, hardly anything makes it too long.
+constexpr double kFreeShorter = 0.5;
+
 // m, of the edges of sleeves that end in an armpit: what lies hidden there, the half width of the
 // interval at least, and how much further up it reaches.
 constexpr double kTuckedLength = 0.05, kTuckedDoubt = 0.08, kTuckedAbove = 0.025;
@@ -88,6 +95,16 @@ WornEstimate weigh(const WornSources& sources, DimensionRole role, double tucked
   if (role != DimensionRole::LimbEdge || !(tucked > 0)) return {value, doubt / kNormal90};
   return {value + tucked * kTuckedLength, std::max(doubt, tucked * kTuckedDoubt) / kNormal90,
           tucked * kTuckedAbove};
+}
+
+WornEstimate weigh_free(const WornEstimate& here, const FreeGirth& free) {
+  const double longer = free.length - here.value;
+  const double weight = longer < 0 ? kFreeShorter * free.loose : free.loose;
+  const double doubt = kFreeLeast + kFreeApart * std::abs(longer);
+  WornEstimate out = here;
+  out.value += weight * longer;
+  out.standard_deviation += weight * (doubt / kNormal90 - here.standard_deviation);
+  return out;
 }
 
 }  // namespace regarment

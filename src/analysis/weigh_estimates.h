@@ -6,6 +6,7 @@
 
 #include "analysis/analysis.h"
 #include "fabric/dimension_role.h"
+#include "fabric/free_girth.h"
 #include "joint/joint_fit.h"
 #include "measure/observe.h"
 
@@ -28,5 +29,9 @@ std::map<std::string, WornSources> worn_sources(const GarmentTemplate& garment, 
 /// the dimension of which a part is hidden in an armpit, 0..1. All sources miss that part; how long
 /// it is nothing shows, so that it counts as it does on made people, and may be much longer.
 WornEstimate weigh(const WornSources& sources, DimensionRole role, double tucked = 0);
+
+/// What `here` says of a circumference where armpits may hide cloth, and `free` where it hangs: the
+/// more likely that one is not stretched, the more it counts.
+WornEstimate weigh_free(const WornEstimate& here, const FreeGirth& free);
 
 }  // namespace regarment
