@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "garment/hold_dimensions.h"
+#include "geometry/parallel.h"
 
 namespace regarment {
 namespace {
@@ -120,10 +121,12 @@ Analysis analyze(Scan scan, const std::vector<GarmentTemplate>& templates,
   for (std::size_t f = 0; f < stage.cap.size(); ++f)
     if (stage.cap[f])
       for (std::uint32_t v : scan.mesh.triangles[f]) stage.labels.probability[v] = 0.5F;
-  judge_outlines(scan, stage.cap, analysis.garments);
-  for (GarmentAnalysis& garment : analysis.garments)
-    garment.borders =
-        border_lines(scan, stage.labels.label, garment.layer, garment.pattern, garment.draped);
+  run_together({[&] { judge_outlines(scan, stage.cap, analysis.garments); },
+                [&] {
+                  for (GarmentAnalysis& garment : analysis.garments)
+                    garment.borders = border_lines(scan, stage.labels.label, garment.layer,
+                                                   garment.pattern, garment.draped);
+                }});
   progress.report(stage_name, 1.0);
   analysis.times.push_back({stage_name, watch.lap()});
   analysis.cap = std::move(stage.cap);

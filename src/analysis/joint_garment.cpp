@@ -9,6 +9,7 @@
 #include "fabric/free_girth.h"
 #include "fabric/worn_stretch.h"
 #include "garment/hold_dimensions.h"
+#include "geometry/parallel.h"
 #include "measure/garment_region.h"
 #include "measure/tucked_cuff.h"
 #include "segmentation/caps.h"
@@ -108,6 +109,31 @@ CutOptions cut_options(const GarmentEdges& edges) {
   return options;
 }
 
+using Stretches = std::map<std::string, Stretch>;  // by dimension
+
+/// What follows from a fit in ways that do not need each other: the placement, the labels and what
+/// hangs on them, how the sides differ, and how far the cloth is stretched.
+Stretches follow_up(const Scan& scan, const GarmentTemplate& garment,
+                    const std::vector<JointStart>& starts, const JointFit& fit, Stage& stage,
+                    GarmentAnalysis& out) {
+  const SeenGarment& seen = starts.front().seen;
+  Stretches stretch;
+  StretchOptions cloth;
+  cloth.fabric = stage.options.fabric;
+  const auto label = [&] {
+    segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), fit.pattern,
+                   fit.draped, out.layer, cut_options(seen.edges), stage.labels);
+    out.deviation = deviation_of(scan, out, stage.labels);
+  };
+  run_together(
+      {[&] { stretch = worn_stretch(garment, fit.dimensions, fit.pattern, fit.draped, cloth); },
+       label, [&] { out.asymmetry = find_asymmetry(garment, starts, fit, stage); },
+       [&] {
+         out.placed = place_garment(fit.pattern, placement_target(seen.edges, fit.pattern));
+       }});
+  return stretch;
+}
+
 }  // namespace
 
 GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, int layer,
@@ -132,13 +158,9 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.dimensions = fit.dimensions;
   out.pattern = fit.pattern;
   out.draped = fit.draped;
-  out.placed = place_garment(out.pattern, placement_target(seen.edges, out.pattern));
-
+  const Stretches stretch = follow_up(scan, garment, starts, fit, stage, out);
   const Dimensions& fixed = fixed_of(stage.options, garment);
   const auto sources = worn_sources(garment, fit, seen.observed);
-  StretchOptions cloth;
-  cloth.fabric = stage.options.fabric;
-  const auto stretch = worn_stretch(garment, out.dimensions, out.pattern, out.draped, cloth);
   const auto free = free_girths(garment, out.dimensions, out.pattern, out.draped);
   const auto covered =
       hidden_dimensions(best.hidden, seen.observed, out.dimensions, garment.typical());
@@ -160,7 +182,6 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
     if (m.observable) m.sources = sources.at(d.name);
     out.measurements.push_back(std::move(m));
   }
-  out.asymmetry = find_asymmetry(garment, starts, fit, stage);
   for (const SideDifference& d : out.asymmetry)
     stage.warnings.push_back(asymmetry_in_words(garment, d));
   // From here on the pattern is the flat garment.
@@ -168,9 +189,6 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.dimensions = nearest_holding(garment, out.dimensions, fixed);
   move_pattern(garment, out.dimensions, out.pattern);
   judge_drape(stage, seen.cloth, out);
-  segment_by_cut(scan, stage.parts, GarmentRegion(seen.edges, stage.body), out.pattern, out.draped,
-                 layer, cut_options(seen.edges), stage.labels);
-  out.deviation = deviation_of(scan, out, stage.labels);
   take(stage, seen.cloth, find_caps(scan, seen.edges), out);
   stage.outer.push_back(outer_garment(out.pattern, out.draped));
   warn_about(garment, seen.edges, out, stage.warnings);

@@ -57,8 +57,10 @@ JointStart start_from(SeenGarment seen, const GarmentTemplate& garment, Pattern 
   for (const EdgeCurve& e : edge_curves(seen.edges))
     if (e.evidence != "covered") curves[e.name] = e.points;
   const std::vector<Vec3> placed = place_garment(pattern, placement_target(seen.edges, pattern));
-  const std::vector<Vec3> laid = lay_on_scan(pattern, placed, stage.samples, seen.cloth, curves);
-  out.target = joint_target(stage.samples, seen.cloth, seen.edges, out.hidden);
+  std::vector<Vec3> laid;
+  run_together(
+      {[&] { laid = lay_on_scan(pattern, placed, stage.samples, seen.cloth, curves); },
+       [&] { out.target = joint_target(stage.samples, seen.cloth, seen.edges, out.hidden); }});
   out.target.outer = stage.outer;
   out.lengths = lengths_of(seen.observed, out.hidden);
   options.levels.resize(1);

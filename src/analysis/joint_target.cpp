@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/parallel.h"
 #include "geometry/point_tree.h"
 #include "measure/edge_finder.h"
 
@@ -101,12 +102,11 @@ void drop_legs(const JointTarget& person, JointTarget& target) {
 JointTarget joint_target(const SurfaceSamples& samples, const std::vector<std::uint8_t>& cloth,
                          const GarmentEdges& edges,
                          const std::map<std::string, HiddenEdge>& hidden) {
-  JointTarget target;
-  average_cloth(samples, cloth, target);
+  JointTarget target, person;
   std::vector<std::uint8_t> other(cloth.size());
   for (std::size_t s = 0; s < cloth.size(); ++s) other[s] = cloth[s] == 0 ? 1 : 0;
-  JointTarget person;
-  average_cloth(samples, other, person);
+  run_together({[&] { average_cloth(samples, cloth, target); },
+                [&] { average_cloth(samples, other, person); }});
   drop_legs(person, target);
   for (const auto& [name, edge] : edges.edges) {
     const LimbView& view = edges.limbs.at(edge.limb);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "geometry/parallel.h"
 
 namespace regarment {
 namespace {
@@ -156,8 +159,10 @@ std::vector<LevelGirth> level_girths(const SurfaceSamples& samples, const std::v
   order.reserve(cloth.size());
   for (const int m : cloth) order.emplace_back(levels.level(samples.positions[m]), m);
   std::sort(order.begin(), order.end());
-  std::vector<LevelGirth> out;
-  for (double t = from; t <= to + 1e-9; t += step) {
+  std::vector<double> at;
+  for (double t = from; t <= to + 1e-9; t += step) at.push_back(t);
+  std::vector<std::optional<LevelGirth>> found(at.size());
+  const auto measure = [&](double t) -> std::optional<LevelGirth> {
     const Vec3 centre = view.axis.point({levels.height(t, 0.0), 0, 0});
     std::vector<Vec2> points;
     for (auto it = std::lower_bound(order.begin(), order.end(), std::pair(t - half, -1));
@@ -166,7 +171,7 @@ std::vector<LevelGirth> level_girths(const SurfaceSamples& samples, const std::v
       points.emplace_back(d.z(), d.x());
     }
     const Outline outline = trace_outline(points, Vec2::Zero(), reach);
-    if (outline.points.empty() || outline.bridged > kMostBridged) continue;
+    if (outline.points.empty() || outline.bridged > kMostBridged) return std::nullopt;
     const auto lifted = [&](const Vec2& p) {
       return Vec3(p.x(), p.y(), levels.height(t, std::atan2(p.y(), p.x())));
     };
@@ -174,8 +179,14 @@ std::vector<LevelGirth> level_girths(const SurfaceSamples& samples, const std::v
     for (std::size_t i = 0; i < outline.points.size(); ++i)
       girth += (lifted(outline.points[(i + 1) % outline.points.size()]) - lifted(outline.points[i]))
                    .norm();
-    out.push_back({t, girth, outline.bridged});
-  }
+    return LevelGirth{t, girth, outline.bridged};
+  };
+  parallel_for(at.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = measure(at[i]);
+  });
+  std::vector<LevelGirth> out;
+  for (const std::optional<LevelGirth>& level : found)
+    if (level) out.push_back(*level);
   return out;
 }
 

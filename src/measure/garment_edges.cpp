@@ -1,8 +1,11 @@
 #include "measure/garment_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
+#include "geometry/parallel.h"
 #include "measure/covered_edge.h"
 #include "measure/edge_choice.h"
 #include "measure/judge_edges.h"
@@ -121,17 +124,19 @@ struct Finder {
   bool another_below;
   Resolution fine;
   GarmentEdges out;
-  std::vector<Cuff> cuffs = {};
 
   double arm_low(int side) const;
   double below_armpits() const;
   EdgeSearch waist_search() const;
   void add_limbs();
-  void find_top_of_other();
-  void find_on_torso(const PatternEdge& edge);
-  void find_on_arm(const PatternEdge& edge);
-  void choose_cuffs();
-  void find_on_neck(const PatternEdge& edge);
+  LimbView view_torso() const;
+  LimbView view_arm(int side) const;
+  LimbView view_neck(const LimbView& torso) const;
+  std::optional<FoundEdge> find_top_of_other() const;
+  GarmentEdge find_on_torso(const PatternEdge& edge) const;
+  std::optional<Cuff> find_on_arm(const PatternEdge& edge) const;
+  std::optional<GarmentEdge> find_on_neck(const PatternEdge& edge) const;
+  void find_all();
   void find_folds();
 };
 
@@ -141,7 +146,7 @@ double Finder::arm_low(int side) const {
   return -kArmLead - std::max(0.0, kArmpitShare * body.height - body.armpit[side]);
 }
 
-void Finder::add_limbs() {
+LimbView Finder::view_torso() const {
   const LimbAxis trunk = trunk_axis(body);
   std::vector<int> members = trunk_members(body, taken, false);
   LimbMap map = make_limb_map(samples, members, trunk, 0.0, body.neck, fine.step(kTrunkStep),
@@ -157,26 +162,45 @@ void Finder::add_limbs() {
   if (members.size() > before)
     map = make_limb_map(samples, members, trunk, 0.0, body.neck, fine.step(kTrunkStep),
                         fine.columns(kTrunkColumns), kFacing);
-  out.limbs.emplace("torso", LimbView{trunk, std::move(map), std::move(members)});
+  return {trunk, std::move(map), std::move(members)};
+}
+
+LimbView Finder::view_arm(int side) const {
+  const LimbAxis axis = arm_axis(body, side);
+  std::vector<int> members = arm_members(samples, body, axis, side, taken);
+  LimbMap map = make_limb_map(samples, members, axis, arm_low(side), axis.s_max(),
+                              fine.step(kArmStep), fine.columns(kArmColumns));
+  return {axis, std::move(map), std::move(members)};
+}
+
+LimbView Finder::view_neck(const LimbView& torso) const {
+  const LimbAxis neck = neck_axis(body);
+  std::vector<int> members;
+  for (int m : torso.members)
+    if (samples.positions[m].y() > body.neck - 0.25) members.push_back(m);
+  LimbMap map = make_limb_map(samples, members, neck, 0.0, 0.26, fine.step(kNeckStep),
+                              fine.columns(kNeckColumns), 0.1);
+  return {neck, std::move(map), std::move(members)};
+}
+
+void Finder::add_limbs() {
   for (const std::string& limb : pattern.panel_limbs)
     out.upper_body = out.upper_body || limb != "torso";
-  if (!out.upper_body) return;
-  for (int side = 0; side < 2; ++side) {
-    if (!body.arms[side].present()) continue;
-    const LimbAxis axis = arm_axis(body, side);
-    members = arm_members(samples, body, axis, side, taken);
-    map = make_limb_map(samples, members, axis, arm_low(side), axis.s_max(), fine.step(kArmStep),
-                        fine.columns(kArmColumns));
-    out.limbs.emplace(side == 0 ? "left_arm" : "right_arm",
-                      LimbView{axis, std::move(map), std::move(members)});
+  if (!out.upper_body) {
+    out.limbs.emplace("torso", view_torso());
+    return;
   }
-  const LimbAxis neck = neck_axis(body);
-  members.clear();
-  for (int m : out.limbs.at("torso").members)
-    if (samples.positions[m].y() > body.neck - 0.25) members.push_back(m);
-  map = make_limb_map(samples, members, neck, 0.0, 0.26, fine.step(kNeckStep),
-                      fine.columns(kNeckColumns), 0.1);
-  out.limbs.emplace("neck", LimbView{neck, std::move(map), std::move(members)});
+  std::optional<LimbView> torso, neck;
+  std::array<std::optional<LimbView>, 2> arms;
+  const auto look_at_arms = [&] {
+    for (int side = 0; side < 2; ++side)
+      if (body.arms[side].present()) arms[side] = view_arm(side);
+  };
+  run_together({[&] { torso = view_torso(), neck = view_neck(*torso); }, look_at_arms});
+  out.limbs.emplace("torso", std::move(*torso));
+  out.limbs.emplace("neck", std::move(*neck));
+  if (arms[0]) out.limbs.emplace("left_arm", std::move(*arms[0]));
+  if (arms[1]) out.limbs.emplace("right_arm", std::move(*arms[1]));
 }
 
 /// The highest that an edge round the trunk alone may lie, m above the floor.
@@ -194,13 +218,14 @@ EdgeSearch Finder::waist_search() const {
   return search;
 }
 
-void Finder::find_top_of_other() {
-  if (!out.upper_body) return;
+std::optional<FoundEdge> Finder::find_top_of_other() const {
+  if (!out.upper_body) return std::nullopt;
   std::vector<FoundEdge> places = find_edges(out.limbs.at("torso").map, waist_search(), 1);
-  if (!places.empty()) out.top_of_other = std::move(places.front());
+  if (places.empty()) return std::nullopt;
+  return std::move(places.front());
 }
 
-void Finder::find_on_torso(const PatternEdge& edge) {
+GarmentEdge Finder::find_on_torso(const PatternEdge& edge) const {
   const LimbView& view = out.limbs.at("torso");
   GarmentEdge found;
   found.limb = "torso";
@@ -230,12 +255,12 @@ void Finder::find_on_torso(const PatternEdge& edge) {
                       fine.step(kTrunkStep), fine.columns(kTrunkColumns), kFacing);
     cut_off_where_covered(view, hidden, found);
   }
-  out.edges.emplace(edge.name, std::move(found));
+  return found;
 }
 
-void Finder::find_on_arm(const PatternEdge& edge) {
+std::optional<Cuff> Finder::find_on_arm(const PatternEdge& edge) const {
   const auto limb = out.limbs.find(edge.limb);
-  if (limb == out.limbs.end()) return;
+  if (limb == out.limbs.end()) return std::nullopt;
   const LimbView& view = limb->second;
   EdgeSearch search;
   search.garment_above = false;
@@ -244,11 +269,8 @@ void Finder::find_on_arm(const PatternEdge& edge) {
   search.straightness = kCuffStray, search.tilt = kCuffTilt;
   search.widest = kSleeveRadius, search.least_error = kSleeveError;
   Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCuffCandidates)};
-  if (!cuff.places.empty()) cuffs.push_back(std::move(cuff));
-}
-
-void Finder::choose_cuffs() {
-  for (auto& [name, edge] : settled_cuffs(std::move(cuffs))) out.edges.emplace(name, edge);
+  if (cuff.places.empty()) return std::nullopt;
+  return cuff;
 }
 
 /// Where a neckline of this width and depth would lie on the shoulders: s per column of the map.
@@ -285,7 +307,7 @@ std::vector<double> expected_neckline(const LimbView& view, double half_width, d
   return s;
 }
 
-void Finder::find_on_neck(const PatternEdge& edge) {
+std::optional<GarmentEdge> Finder::find_on_neck(const PatternEdge& edge) const {
   const LimbView& view = out.limbs.at("neck");
   double left = -1e9, right = 1e9, low = -1e9, high = 1e9;
   for (int v : edge.vertices) {
@@ -301,7 +323,40 @@ void Finder::find_on_neck(const PatternEdge& edge) {
   search.s_low = 0.03, search.s_high = 0.24;
   search.most_step = 0.02;
   found.found = find_edge(view.map, search);
-  if (found.found.found()) out.edges.emplace(edge.name, std::move(found));
+  if (!found.found.found()) return std::nullopt;
+  return found;
+}
+
+/// All edges at once: each depends on the limbs alone.
+void Finder::find_all() {
+  const std::size_t n = pattern.edges.size();
+  std::vector<std::optional<GarmentEdge>> found(n);
+  std::vector<std::optional<Cuff>> cuff(n);
+  std::optional<FoundEdge> top_of_other;
+  const auto find = [&](std::size_t i) {
+    const PatternEdge& edge = pattern.edges[i];
+    if (edge.limb == "torso")
+      found[i] = find_on_torso(edge);
+    else if (edge.limb == "neck")
+      found[i] = find_on_neck(edge);
+    else
+      cuff[i] = find_on_arm(edge);
+  };
+  parallel_for(n + 1, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i < n)
+        find(i);
+      else
+        top_of_other = find_top_of_other();
+    }
+  });
+  std::vector<Cuff> cuffs;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (found[i]) out.edges.emplace(pattern.edges[i].name, std::move(*found[i]));
+    if (cuff[i]) cuffs.push_back(std::move(*cuff[i]));
+  }
+  for (auto& [name, edge] : settled_cuffs(std::move(cuffs))) out.edges.emplace(name, edge);
+  if (top_of_other) out.top_of_other = std::move(*top_of_other);
 }
 
 /// Folds that hang from the hem of a garment without sleeves.
@@ -331,16 +386,7 @@ GarmentEdges find_garment_edges(const SurfaceSamples& samples, const Body& body,
                                 const std::map<std::string, double>& said, bool another_below) {
   Finder finder{samples, body, pattern, taken, said, another_below, Resolution(samples), {}};
   finder.add_limbs();
-  for (const PatternEdge& edge : pattern.edges) {
-    if (edge.limb == "torso")
-      finder.find_on_torso(edge);
-    else if (edge.limb == "neck")
-      finder.find_on_neck(edge);
-    else
-      finder.find_on_arm(edge);
-  }
-  finder.choose_cuffs();
-  finder.find_top_of_other();
+  finder.find_all();
   judge_edges(finder.out, body, title, said);
   finder.find_folds();
   return std::move(finder.out);

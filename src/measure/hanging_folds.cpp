@@ -87,29 +87,37 @@ std::vector<Candidate> candidates(const SurfaceSamples& samples, const Body& bod
   return out;
 }
 
-/// Those that an even surface joins to cloth above the hem.
+/// Which of what lies below an even surface joins to cloth above the hem; 0 for that cloth. There
+/// is much more of it than of folds, so that it is these that look for cloth beside them.
 std::vector<std::uint8_t> joined(const SurfaceSamples& samples, const std::vector<Candidate>& all) {
   std::vector<Vec3> points;
   points.reserve(all.size());
   for (const Candidate& c : all) points.push_back(samples.positions[c.sample]);
   const PointTree tree(points);
   std::vector<std::uint8_t> in(all.size(), 0);
-  std::vector<std::size_t> todo;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].cloth) in[i] = 1, todo.push_back(i);
   const double reach = std::max(kAcross, kSpacings * samples.spacing);
   std::vector<PointNeighbour> near;
+  const auto beside = [&](std::size_t i, std::vector<std::size_t>& out) {
+    tree.within(points[i], reach, near);
+    out.clear();
+    for (const PointNeighbour& other : near)
+      if (!(samples.normals[all[i].sample].dot(samples.normals[all[other.index].sample]) <
+            kFacesOn))
+        out.push_back(other.index);
+  };
+  std::vector<std::size_t> todo, next;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].cloth) continue;
+    beside(i, next);
+    in[i] = std::any_of(next.begin(), next.end(), [&](std::size_t j) { return all[j].cloth; });
+    if (in[i]) todo.push_back(i);
+  }
   while (!todo.empty()) {
     const std::size_t i = todo.back();
     todo.pop_back();
-    tree.within(points[i], reach, near);
-    for (const PointNeighbour& other : near) {
-      const std::size_t j = other.index;
-      if (in[j] || samples.normals[all[i].sample].dot(samples.normals[all[j].sample]) < kFacesOn)
-        continue;
-      in[j] = 1;
-      todo.push_back(j);
-    }
+    beside(i, next);
+    for (const std::size_t j : next)
+      if (!in[j] && !all[j].cloth) in[j] = 1, todo.push_back(j);
   }
   return in;
 }
