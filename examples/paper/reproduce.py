@@ -54,7 +54,7 @@ def write_results(fits, effort, out):
                         "value_cm", "low_cm", "high_cm", "observable"])
         table.writerows(page.estimates)
     write_whole(os.path.join(out, "results.json"),
-                json.dumps(list(page.results.fits.values()), indent=1))
+                "[\n" + ",\n".join(map(json.dumps, page.results.fits.values())) + "\n]\n")
     print(os.path.join(out, "index.html"))
 
 

@@ -9,14 +9,10 @@ pushes the hem up.
                       [further arguments of evaluate]
 """
 import argparse
-import csv
-import json
 import pathlib
 import statistics
-import subprocess
 
-from damage_curve import spread
-from made_scans import cases, read_scan, write_scan
+from made_scans import cases, evaluate, read_scan, spread, write_scan, write_table
 
 MADE_UP = 255
 # name, which scans, further arguments of fit
@@ -46,22 +42,14 @@ def make(a):
             found = truth / labels.name
             write_scan(change(read_scan(path, labels)), a.out / version / path.name, found)
             table += [dict(r, scan=f"../{path.name}", labels=found.name) for r in rows]
-        with open(truth / "ground_truth.csv", "w", newline="") as out:
-            writer = csv.DictWriter(out, table[0].keys())
-            writer.writeheader()
-            writer.writerows(table)
+        write_table(table, a.out / version)
 
 
 def fitted(a, number, version, options, further):
     """(scan, measurement) -> (estimate, truth), cm"""
-    folder = a.out / f"evaluation-{a.method}-{number}"
-    command = [a.program, "evaluate", a.out / version / "truth" / "ground_truth.csv", "--out",
-               folder, "--method", a.method, "--jobs", a.jobs, *further]
-    command += [f"--args={options}"] if options else []
-    run = subprocess.run([str(c) for c in command], stdout=subprocess.DEVNULL, check=False)
-    if run.returncode not in (0, 4):
-        raise SystemExit(f"{' '.join(map(str, command))} ended with {run.returncode}")
-    evaluation = json.loads((folder / "evaluation.json").read_text())
+    further = further + ([f"--args={options}"] if options else [])
+    evaluation = evaluate(a.program, a.out / version / "truth" / "ground_truth.csv",
+                          a.out / f"evaluation-{a.method}-{number}", a.method, a.jobs, further)
     return {(s["name"], d["measurement"]): (d["estimate_cm"], d["truth_cm"])
             for s in evaluation["scans"] if not s.get("failure")
             for d in s["dimensions"] if d.get("observable")}

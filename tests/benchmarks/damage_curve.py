@@ -17,14 +17,13 @@ Amounts are shares of the garment's surface. The same arguments give the same sc
 """
 import argparse
 import csv
-import json
 import math
 import pathlib
 import random
 import statistics
-import subprocess
 
-from made_scans import axes, cases, metres, read_scan, write_scan
+from made_scans import (axes, cases, evaluate, metres, read_scan, spread, write_scan,
+                        write_table)
 
 HOLE = 0.05  # m, radius
 STRAY = 0.15  # m
@@ -100,11 +99,6 @@ def noise(scan, row, share, dice):
 KINDS = {"hole": hole, "holes": holes, "column": column, "outliers": outliers, "noise": noise}
 
 
-def spread(found, n):
-    """`n` of them, from first to last."""
-    return [found[i * len(found) // n] for i in range(min(n, len(found)))]
-
-
 def make(a):
     """Writes the damaged scans and their truth table."""
     truth = a.out / "truth"
@@ -127,21 +121,7 @@ def make(a):
                 write_scan(hurt, file, found)
                 table += [dict(r, scan=f"../{file.name}", labels=found.name,
                                damage=f"{kind} {amount} %" if amount else "") for r in rows]
-    with open(truth / "ground_truth.csv", "w", newline="") as out:
-        writer = csv.DictWriter(out, table[0].keys())
-        writer.writeheader()
-        writer.writerows(table)
-    return truth / "ground_truth.csv"
-
-
-def evaluate(a, table, further):
-    folder = a.out / f"evaluation-{a.method}"
-    command = [a.program, "evaluate", table, "--out", folder, "--method", a.method,
-               "--jobs", a.jobs, *further]
-    run = subprocess.run([str(c) for c in command], stdout=subprocess.DEVNULL, check=False)
-    if run.returncode not in (0, 4):
-        raise SystemExit(f"{' '.join(map(str, command))} ended with {run.returncode}")
-    return json.loads((folder / "evaluation.json").read_text())
+    return write_table(table, a.out)
 
 
 def line_of(scans):
@@ -174,7 +154,8 @@ def main():
     parse.add_argument("--method", default="joint")
     parse.add_argument("--jobs", type=int, default=1)
     a, further = parse.parse_known_args()
-    evaluation = evaluate(a, make(a), further)
+    evaluation = evaluate(a.program, make(a), a.out / f"evaluation-{a.method}", a.method, a.jobs,
+                          further)
     columns = ["scans", "no", "flagged", "mean_cm", "median_cm", "largest_cm", "held", "width_cm"]
     print(f"{'damage':14}" + "".join(f"{c:>12}" for c in columns))
     with open(a.out / "damage.csv", "w", newline="") as file:

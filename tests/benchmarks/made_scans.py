@@ -1,8 +1,10 @@
 """Scans that `regarment synthesize` wrote, read and written again: for the benchmarks that change
 them. Plain Python; a scan is a header of names and rows of numbers."""
 import csv
+import json
 import pathlib
 import struct
+import subprocess
 
 FORMATS = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
            "float": "f", "double": "d"}
@@ -65,6 +67,31 @@ def cases(folder):
             found.setdefault(row["scan"], []).append(row)
     return [((truth / scan).resolve(), rows, (truth / rows[0]["labels"]).resolve())
             for scan, rows in found.items()]
+
+
+def spread(found, n):
+    """`n` of them, from first to last."""
+    return [found[i * len(found) // n] for i in range(min(n, len(found)))]
+
+
+def write_table(rows, folder):
+    """Writes the truth table of a folder of scans; returns its path."""
+    path = pathlib.Path(folder) / "truth" / "ground_truth.csv"
+    with open(path, "w", newline="") as out:
+        writer = csv.DictWriter(out, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
+
+
+def evaluate(program, table, folder, method, jobs, further):
+    """Has the program fit all scans of a table; what it found of them."""
+    command = [program, "evaluate", table, "--out", folder, "--method", method, "--jobs", jobs,
+               *further]
+    run = subprocess.run([str(c) for c in command], stdout=subprocess.DEVNULL, check=False)
+    if run.returncode not in (0, 4):
+        raise SystemExit(f"{' '.join(map(str, command))} ended with {run.returncode}")
+    return json.loads((pathlib.Path(folder) / "evaluation.json").read_text())
 
 
 def metres(row):
