@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "garment/notches.h"
 #include "garment/panel_outline.h"
+#include "garment/pattern_style.h"
 #include "garment/svg_text.h"
 #include "garment/template_check.h"
 
@@ -16,38 +18,10 @@ namespace regarment {
 namespace {
 
 constexpr double kMm = 1000.0;           // per metre
+constexpr double kNotch = 5.0;           // mm
 constexpr double kFontShare = 1 / 62.0;  // font size over the larger side of the pieces
 constexpr double kSketchFontShare = 1 / 30.0;
 const char* const kHalf = "\xC2\xBD";
-
-const char* const kStandaloneStyle = ".rp-pattern{color:#1d2126;background:#fff}\n";
-const char* const kInlineStyle = ".rp-pattern{max-width:100%;height:auto}\n";
-// Sizes in em of the font size that stands on the svg element, so that two drawings of different
-// scale on one page agree on every rule.
-const char* const kStyle =
-    R"(.rp-pattern text{font-family:system-ui,'Helvetica Neue',Arial,sans-serif;fill:currentColor}
-.rp-cloth{fill:currentColor;fill-opacity:.045;stroke:none}
-.rp-cut,.rp-seam,.rp-line,.rp-centre,.rp-grain,.rp-rule,.rp-scale{fill:none;stroke:currentColor}
-.rp-cut{stroke-width:.17em;stroke-linejoin:round;stroke-linecap:round}
-.rp-seam{stroke-width:.1em;stroke-dasharray:.7em .45em}
-.rp-line{stroke-width:.05em;stroke-opacity:.6;stroke-dasharray:.3em .3em}
-.rp-centre{stroke-width:.05em;stroke-opacity:.6;stroke-dasharray:1.6em .3em .3em .3em}
-.rp-grain{stroke-width:.08em}
-.rp-grain-head{fill:currentColor}
-.rp-rule{stroke-width:.06em;stroke-opacity:.35}
-.rp-scale{stroke-width:.07em}
-.rp-measure,.rp-extension{fill:none;stroke:var(--rp-accent,#c2410c)}
-.rp-measure{stroke-width:.09em}
-.rp-extension{stroke-width:.045em;stroke-opacity:.7}
-.rp-pattern .rp-label,.rp-pattern .rp-value,.rp-measure-head{fill:var(--rp-accent,#c2410c)}
-.rp-label,.rp-code,.rp-title{font-weight:600}
-.rp-title{font-size:1.7em}
-.rp-small,.rp-head{font-size:.82em;fill-opacity:.72}
-.rp-number{font-variant-numeric:tabular-nums}
-.rp-badge{fill:var(--rp-accent,#c2410c);stroke:none}
-.rp-pattern .rp-letter{fill:#fff;font-weight:700}
-.rp-halo{stroke:#fff;stroke-width:.35em;stroke-linejoin:round;paint-order:stroke}
-)";
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -94,8 +68,8 @@ class Drawing {
     for (const PlacedPiece& piece : pieces_) body += draw_piece(piece);
     for (const MeasureArrow& arrow : data_.arrows) body += draw_arrow(arrow);
     if (!is_sketch_) body += draw_legend();
-    return header(options) + "<style>\n" + (options.standalone ? kStandaloneStyle : kInlineStyle) +
-           kStyle + "</style>\n" + body + "</svg>\n";
+    return header(options) + "<style>\n" + pattern_style(options.standalone) + "</style>\n" + body +
+           "</svg>\n";
   }
 
  private:
@@ -195,7 +169,19 @@ class Drawing {
     std::string svg = cloth + svg_path("rp-cut", cut);
     if (!seams.empty()) svg += svg_path("rp-seam", seams);
     for (const int panel : piece.piece->panels) svg += draw_lines(piece, panel);
-    return is_sketch_ ? svg : svg + draw_grain(piece);
+    return is_sketch_ ? svg : svg + draw_notches(piece) + draw_grain(piece);
+  }
+
+  std::string draw_notches(const PlacedPiece& piece) const {
+    std::string svg;
+    for (std::size_t i = 0; i < piece.outlines.size(); ++i) {
+      const int panel = piece.piece->panels[i];
+      for (const Notch& notch : panel_notches(data_, panel, piece.outlines[i], scope_)) {
+        const Vec2 at = piece.on_sheet(notch.at);
+        svg += svg_line("rp-notch", at, at + kNotch * notch.inward);
+      }
+    }
+    return svg;
   }
 
   /// Construction lines that have a title, and the centre line of a panel cut on the fold.
@@ -306,8 +292,9 @@ class Drawing {
                       piece.piece->title + ": cut " + std::to_string(piece.piece->cut));
       row += line;
     }
-    svg += svg_text("rp-small", Vec2(left, row), "start",
-                    "Real size. No seam allowance. Dashed: seam inside the piece.");
+    svg += svg_text(
+        "rp-small", Vec2(left, row), "start",
+        "Real size. No seam allowance. Dashed: seam inside the piece. Short strokes: notches.");
     svg += draw_scale(Vec2(left, row + line));
     svg += svg_text("rp-head", Vec2(right, y), "start", "Measurement of the flat garment") +
            svg_text("rp-head", Vec2(width_ - margin_ - 5.0 * font_, y), "end", "cm") +

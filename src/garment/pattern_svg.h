@@ -24,9 +24,9 @@ struct PatternDrawingOptions {
 std::string dimension_letter(std::size_t index);
 
 /// The flat pattern in real size (SVG text; one user unit is one millimetre): every distinct piece
-/// side by side with its outline, seams inside it dashed, centre line, construction lines, grain
-/// line, and an arrow per measurement with code, title and length; below, a table of the
-/// measurements, a scale bar of 10 cm and what is to be cut. That is PatternStyle::Pattern; a
+/// side by side with its outline, seams inside it dashed, centre line, construction lines,
+/// notches, grain line, and an arrow per measurement with code, title and length; below, a table of
+/// the measurements, a scale bar of 10 cm and what is to be cut. That is PatternStyle::Pattern; a
 /// sketch has less. CSS classes begin with "rp-". Same input, same bytes. Throws InvalidInput when
 /// `dimensions` make no garment.
 std::string pattern_svg(const GarmentTemplate& garment, const Dimensions& dimensions,
