@@ -3,14 +3,13 @@
 #include <utility>
 
 #include "base/error.h"
-#include "garment/pattern_json.h"
 #include "garment/pattern_svg.h"
 #include "geometry/parallel.h"
 #include "geometry/ply_writer.h"
-#include "render/heat_map.h"
 #include "report/borders_json.h"
 #include "report/close_holes.h"
 #include "report/evaluations_csv.h"
+#include "report/export_files.h"
 #include "report/files.h"
 #include "report/measurements_csv.h"
 #include "report/output_folder.h"
@@ -24,37 +23,8 @@ constexpr std::size_t kMostJson = 64u << 20;     // bytes of a stored result.jso
 constexpr std::size_t kMostPicture = 16u << 20;  // and of a stored picture or sketch
 constexpr std::size_t kMostTable = 17u << 20;    // more than a table may have, so that it is told
 
-std::vector<Vec3> in_file(const Scan& scan, const std::vector<Vec3>& p_in_body) {
-  std::vector<Vec3> out;
-  out.reserve(p_in_body.size());
-  for (const Vec3& p : p_in_body) out.emplace_back(scan.file_from_body * p);
-  return out;
-}
-
 std::string labels_file(const std::vector<std::uint8_t>& labels) {
   return {labels.begin(), labels.end()};
-}
-
-// The colours of the labels in the pictures, shaded where the label is unsure.
-std::vector<Colour> label_colours(const Analysis& analysis) {
-  std::vector<Colour> out;
-  out.reserve(analysis.labels.size());
-  const std::vector<float>& sure = analysis.label_probability;
-  for (std::size_t v = 0; v < analysis.labels.size(); ++v) {
-    out.push_back(label_colour(analysis.labels[v], sure.empty() ? 1.0F : sure[v]));
-  }
-  return out;
-}
-
-std::string segmented_ply(const Analysis& analysis) {
-  const Mesh& mesh = analysis.scan.mesh;
-  PlyWriter ply(mesh.positions.size());
-  ply.positions(in_file(analysis.scan, mesh.positions))
-      .column("label", analysis.labels)
-      .column("probability", analysis.label_probability)
-      .colours(label_colours(analysis));
-  if (!mesh.is_cloud()) ply.triangles(mesh.triangles);
-  return ply.bytes();
 }
 
 std::string filled_ply(const Scan& scan, const FilledScan& filled) {
@@ -62,14 +32,6 @@ std::string filled_ply(const Scan& scan, const FilledScan& filled) {
   ply.positions(in_file(scan, filled.mesh.positions)).column("filled", filled.filled);
   if (!filled.mesh.is_cloud()) ply.triangles(filled.mesh.triangles);
   return ply.bytes();
-}
-
-std::string garment_ply(const Analysis& analysis, const GarmentAnalysis& garment) {
-  return PlyWriter(garment.draped.size())
-      .positions(in_file(analysis.scan, garment.draped))
-      .coordinates(garment.pattern.flat)
-      .triangles(garment.pattern.triangles)
-      .bytes();
 }
 
 std::string numbered(const std::string& name, std::size_t i, const std::string& ending) {
@@ -90,15 +52,12 @@ ReportFiles early_files(const Analysis& analysis, const std::vector<GarmentTempl
     const GarmentAnalysis& garment = analysis.garments[i];
     files[sketch_name(i)] =
         pattern_svg(templates[i], garment.dimensions, {.style = PatternStyle::Sketch});
-    files[numbered("pattern", i, ".svg")] = pattern_svg(templates[i], garment.dimensions);
-    files[numbered("pattern", i, ".json")] = pattern_json(templates[i], garment.dimensions);
-    files[numbered("garment", i, ".ply")] = garment_ply(analysis, garment);
     if (garment.trace) files[evaluations_name(i)] = evaluations_csv(*garment.trace);
   }
   if (!options.state.empty()) files["state.bin"] = options.state;
   files["labels.u8"] = labels_file(analysis.labels);
   files["borders.json"] = borders_json(analysis);
-  files["segmented.ply"] = segmented_ply(analysis);
+  add_exports(analysis, templates, files);
   return files;
 }
 

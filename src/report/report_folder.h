@@ -16,11 +16,11 @@ namespace regarment {
 /// Every file of a result folder, by its name in it.
 using ReportFiles = std::map<std::string, std::string>;
 
-/// All files of an analysis: report.html, result.json, measurements.csv, labels.u8, segmented.ply,
-/// filled.ply, pictures/... (sketch-I.svg and view.json too), state.bin where the options hold one,
-/// and per garment I garment-I.ply, pattern-I.json, pattern-I.svg and, when it was searched for,
-/// evaluations-I.csv. `templates` are those of the garments, in their order; `filled` is as
-/// close_holes gives it. Depends on its arguments alone.
+/// All files of an analysis: report.html, result.json, measurements.csv, labels.u8, filled.ply,
+/// pictures/... (sketch-I.svg and view.json too), state.bin where the options hold one, what
+/// add_exports gives, and, for each garment I that was searched for, evaluations-I.csv. `templates`
+/// are those of the garments, in their order; `filled` is as close_holes gives it. Depends on its
+/// arguments alone.
 ReportFiles report_files(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
                          const ReportOptions& options, const FilledScan& filled,
                          const Pictures& pictures);

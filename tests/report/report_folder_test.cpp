@@ -39,10 +39,11 @@ TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
   std::vector<std::string> names;
   for (const auto& [name, bytes] : made) names.push_back(name);
   EXPECT_EQ(names,
-            (std::vector<std::string>{"borders.json", "filled.ply", "garment-1.ply", "labels.u8",
-                                      "measurements.csv", "pattern-1.json", "pattern-1.svg",
-                                      "pictures/sketch-1.svg", "pictures/view.json", "report.html",
-                                      "result.json", "segmented.ply"}));
+            (std::vector<std::string>{
+                "borders.json", "filled.ply", "garment-1.glb", "garment-1.obj", "garment-1.ply",
+                "labels.u8", "measurements.csv", "pattern-1.dxf", "pattern-1.json", "pattern-1.pdf",
+                "pattern-1.svg", "pattern-1.val", "pictures/sketch-1.svg", "pictures/view.json",
+                "report.html", "result.json", "segmented.glb", "segmented.ply"}));
 }
 
 TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {
