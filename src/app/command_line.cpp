@@ -68,6 +68,11 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
   fit->add_option("--ground-truth-labels", a.ground_truth_labels,
                   "True labels, one byte per vertex");
+  fit->add_option("--cache", a.cache,
+                  "Folder that keeps prepared scans, so that another fit of one begins there");
+  fit->add_option("--cache-mb", a.cache_mb, "What it may hold, MB; those used last stay")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
   add_known_options(*fit, a.known);
   add_annealing_options(*fit, a.annealing);
   add_speech(*fit, a.speech);
@@ -196,6 +201,7 @@ void check(const FitArguments& a) {
   if (a.garments.size() > 8) throw UsageError("--garment: more than 8 layers; give fewer");
   check_known(a.known);
   if (a.placement) check_value("--placement", *a.placement);
+  if (a.cache) check_value("--cache", *a.cache);
   if (a.ground_truth) check_value("--ground-truth", *a.ground_truth);
   if (a.ground_truth_labels) check_value("--ground-truth-labels", *a.ground_truth_labels);
   if (a.up != "auto" && a.front != "auto" && a.up.back() == a.front.back()) {

@@ -42,6 +42,8 @@ struct FitArguments {
   AnnealingArguments annealing;
   KnownArguments known;
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
+  std::optional<std::filesystem::path> cache;
+  int cache_mb = 2000;
 };
 
 /// regarment refit DIR

@@ -36,10 +36,14 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
   return out;
 }
 
+}  // namespace
+
 int thread_count(const FitArguments& a) {
   if (a.threads > 0) return a.threads;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
+
+namespace {
 
 ReportOptions report_options(const FitArguments& a) {
   ReportOptions options;

@@ -19,6 +19,9 @@ struct FitMaterial {
   std::vector<StageTime> times;  // so far
 };
 
+/// How many threads a fit may use.
+int thread_count(const FitArguments& a);
+
 /// The templates of a fit. Throws as find_template.
 std::vector<GarmentTemplate> templates_of(const FitArguments& a);
 

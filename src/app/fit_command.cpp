@@ -1,13 +1,14 @@
+#include <optional>
 #include <utility>
 
 #include "app/commands.h"
 #include "app/finish_fit.h"
+#include "app/prepared_scan.h"
 #include "base/stopwatch.h"
+#include "geometry/parallel.h"
 #include "report/ground_truth.h"
 #include "report/label_score.h"
 #include "report/output_folder.h"
-#include "scan/make_scan.h"
-#include "scan/read_sandboxed.h"
 
 namespace regarment {
 namespace {
@@ -23,36 +24,31 @@ std::vector<fs::path> inputs_of(const FitArguments& a) {
   return inputs;
 }
 
-Scan prepared(const ReadMesh& read, const FitArguments& a) {
-  Scan scan = make_scan(read.mesh, {a.units, a.up, a.front});
-  scan.facts.file = a.scan.filename().string();
-  scan.facts.sha256 = read.sha256;
-  return scan;
-}
-
 // Reads the scan and prepares it, by way of the state, so that a refit works on the same numbers.
 FitMaterial read_material(const FitArguments& a, const Progress& progress) {
   FitMaterial out;
   if (a.placement) out.state.placement = read_placement(*a.placement);
+  std::optional<StageCache> cache;
+  if (a.cache) cache.emplace(*a.cache, std::uint64_t{1'000'000} * a.cache_mb);
   Stopwatch watch;
-  ReadMesh read = read_mesh_sandboxed(a.scan, {}, progress);
+  PreparedScan prepared =
+      prepared_scan(a, cache ? &*cache : nullptr, progress, [&](const char* stage) {
+        out.times.push_back({stage, watch.lap()});
+      });
+  out.state.scan = std::move(prepared.scan);
   if (a.ground_truth_labels) {
-    out.state.true_labels = read_labels(*a.ground_truth_labels, read.mesh.positions.size());
+    out.state.true_labels =
+        read_labels(*a.ground_truth_labels, out.state.scan.mesh.positions.size());
   }
-  out.times.push_back({"read", watch.lap()});
-  progress.report("prepare", 0.0);
-  out.state.scan = prepared(read, a);
-  read.mesh = {};
-  out.stored = write_state(out.state);
-  out.state = read_state(out.stored, "the prepared scan");
-  progress.report("prepare", 1.0);
-  out.times.push_back({"prepare", watch.lap()});
+  const bool alone = !a.placement && !a.ground_truth_labels;
+  out.stored = alone ? std::move(prepared.stored) : write_state(out.state);
   return out;
 }
 
 }  // namespace
 
 void run_fit(const FitArguments& a, Console& console) {
+  limit_threads(thread_count(a));
   const std::vector<GarmentTemplate> templates = templates_of(a);
   check_output_folder(a.out, a.force, inputs_of(a));
   std::vector<TruthRow> truth;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/one_line.h"
 #include "base/stopwatch.h"
+#include "geometry/parallel.h"
 #include "report/files.h"
 #include "report/output_folder.h"
 #include "report/result.h"
@@ -101,6 +102,7 @@ void carry_truth(const Result& result, Analysis& analysis) {
 void run_refit(const RefitArguments& a, Console& console) {
   const Result result = stored_result(a.folder);
   const FitArguments fit = changed(arguments_of(result), result, a);
+  limit_threads(thread_count(fit));
   const std::vector<GarmentTemplate> templates = templates_of(fit);
   check_output_folder(fit.out, fit.force);
   const AnalyzeOptions how = analyze_options(fit, templates);

@@ -8,6 +8,15 @@
 #include <thread>
 
 namespace regarment {
+namespace {
+
+constexpr unsigned kMostThreads = 16;  // of one call
+
+std::atomic<unsigned> threads_allowed = std::max(1U, std::thread::hardware_concurrency());
+
+}  // namespace
+
+void limit_threads(int most) { threads_allowed = static_cast<unsigned>(std::max(1, most)); }
 
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& work) {
@@ -27,8 +36,7 @@ void parallel_for(std::size_t count, std::size_t grain,
       next = parts;
     }
   };
-  const std::size_t wanted =
-      std::min<std::size_t>({std::thread::hardware_concurrency(), parts, 16});
+  const std::size_t wanted = std::min<std::size_t>({threads_allowed, parts, kMostThreads});
   std::vector<std::jthread> helpers;
   try {
     for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(run);

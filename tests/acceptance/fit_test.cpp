@@ -73,6 +73,31 @@ TEST(Fit, TwoRunsWithoutTimingHaveTheSameBytesWhateverTheThreads) {
   }
 }
 
+TEST(Fit, ACacheChangesNoByteAndIsUsed) {
+  const TemporaryFolder home;
+  const fs::path scan = example("skirt-1.mesh.ply"), cache = home.path() / "cache";
+  const auto run = [&](const char* out, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--no-timing", "--ground-truth-labels",
+                                    example("skirt-1.mesh.labels.u8")};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_EQ(fit_quickly(scan, home.path() / out, all).status, 0);
+    return files_below(home.path() / out);
+  };
+  const auto without = run("a", {});
+  EXPECT_EQ(run("b", {"--cache", cache}), without);
+  const std::vector<std::string> kept = names_in(cache);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(run("c", {"--cache", cache}), without);
+  EXPECT_EQ(names_in(cache), kept);
+  // What is broken in the folder is prepared again.
+  const std::string whole = bytes_of(cache / kept[0]);
+  fs::resize_file(cache / kept[0], fs::file_size(cache / kept[0]) / 2);
+  EXPECT_EQ(run("d", {"--cache", cache}), without);
+  EXPECT_EQ(bytes_of(cache / kept[0]), whole);
+  run("e", {"--cache", cache, "--up", "+z"});
+  EXPECT_EQ(names_in(cache).size(), 2U);
+}
+
 // Few drapes: what is written, not how exact it is.
 TEST(Fit, AnnealingWritesItsEvaluations) {
   const TemporaryFolder home;
