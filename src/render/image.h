@@ -34,16 +34,18 @@ struct Image {
 enum class ImageFormat { Png, Jpeg, WebP };
 
 /// The bytes of an image file. `quality` 1..100 applies to Jpeg and WebP; larger looks better and
-/// takes more bytes. Same picture, same bytes. Throws InvalidInput for an empty picture and one of
-/// more than 16,383 pixels a side.
+/// takes more bytes. Same picture, same bytes. Throws InvalidInput for an empty picture.
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format, int quality = 85);
 
-/// Reads the bytes of a PNG, JPEG or WebP file. Throws ReadError when they are no picture of at
-/// most 2^26 pixels; `name` is used in the message.
+/// Reads the bytes of a PNG, JPEG or WebP file. Throws ReadError when they are no picture; `name`
+/// is used in the message.
 Image decode_image(std::span<const std::byte> bytes, std::string_view name);
 
 /// Writes a PNG. Throws TemporaryError when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
+
+/// Reads any picture file. Throws ReadError.
+Image read_image(const std::filesystem::path& file);
 
 /// Pictures next to each other, tops aligned, `gap` transparent pixels between them.
 Image side_by_side(std::span<const Image> images, int gap = 0);

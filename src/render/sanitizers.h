@@ -1,8 +1,8 @@
 #pragma once
 
-// What sanitizers must know about OSMesa, which is not built with them, and about GDAL, which
-// OpenCV brings along into some tests. They ask for these functions by name, so every program that
-// draws knows. Included by context.cpp only; empty in other builds.
+// What sanitizers must know about OSMesa, and about GDAL, which OpenCV's codecs bring along;
+// neither is built with them. They ask for these functions by name, so every program that draws
+// knows. Included by context.cpp only; empty in other builds.
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)

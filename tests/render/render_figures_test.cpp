@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "render/shapes.h"
-#include "support/read_picture.h"
 
 namespace regarment {
 namespace {
@@ -60,7 +59,7 @@ TEST_P(Baseline, IsWhatTheFigureLooksLike) {
   const Dressed dressed;
   const Image made = draw(dressed.scene(), GetParam(), small(View::FrontLeft));
   write_png(made, name);
-  const Image baseline = test::read_picture(std::filesystem::path(REGARMENT_BASELINES) / name);
+  const Image baseline = read_image(std::filesystem::path(REGARMENT_BASELINES) / name);
   const ImageDifference difference = image_difference(made, baseline);
   EXPECT_LT(difference.mean, 0.002);   // a tenth of what a plainly different picture has
   EXPECT_LT(difference.share, 0.005);  // the outline alone is four times as much
