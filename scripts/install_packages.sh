@@ -6,7 +6,10 @@ cd "$(dirname "$0")/.."
 
 missing=""
 for purpose in "$@"; do
-  for package in $(awk -v want="$purpose" '!/^#/ && $2 == want { print $1 }' packages.txt); do
+  for line in $(awk -v want="$purpose" '!/^#/ && $2 == want { print $1 ":" $3 }' packages.txt); do
+    package=${line%%:*}
+    command=${line#*:}
+    if [ -n "$command" ] && command -v "$command" >/dev/null; then continue; fi
     state=$(dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null || true)
     case "$state" in
       ii*) ;;

@@ -34,7 +34,7 @@ def table(head, rows, label, kind=""):
         body.append(f"<tr{f' class={chr(34)}{name}{chr(34)}' if name else ''}>{first}"
                     + "".join(cell(c, "td") for c in cells[1:]) + "</tr>")
     heads = "".join(cell(h, "th").replace("<th", "<th scope=\"col\"", 1) for h in head)
-    return (f"<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{text(label)}\">"
+    return (f"<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"{text(label)}\">"
             f"<table class=\"{kind}\"><thead><tr>{heads}</tr></thead>"
             f"<tbody>{''.join(body)}</tbody></table></div>")
 

@@ -222,7 +222,7 @@ def write_page(out, published_table, effort, fits, here):
             + section("tables", "The tables", tables) + figures(page)
             + section("rest", "The rest", note_on_rest(page, fits)))
     links = "".join(f"<li><a href=\"#{key}\">{title}</a></li>" for key, title in nav)
-    html = ("<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">"
+    html = ("<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\">"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
             "img-src data:; style-src 'unsafe-inline'\">"
