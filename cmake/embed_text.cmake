@@ -1,8 +1,14 @@
-# embed_text(OUTPUT FILES...): writes a C++ file that holds the text of FILES by name, for
-# src/report/embedded.h. Strings are cut below the length every compiler accepts.
+# embed_text(OUTPUT [HEADER header.h FUNCTION name] FILES...): writes a C++ file that holds the text
+# of FILES by name, for src/report/embedded.h or another header with such a function. Strings are
+# cut below the length every compiler accepts.
 function(embed_text output)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "HEADER;FUNCTION" "")
+  if(NOT ARG_HEADER)
+    set(ARG_HEADER report/embedded.h)
+    set(ARG_FUNCTION embedded_text)
+  endif()
   set(entries "")
-  foreach(file ${ARGN})
+  foreach(file ${ARG_UNPARSED_ARGUMENTS})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     get_filename_component(name ${file} NAME)
     file(READ ${file} hex HEX)
@@ -13,7 +19,7 @@ function(embed_text output)
     string(APPEND entries "    {\"${name}\", std::string(\n${hex}      , ${size})},\n")
   endforeach()
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT "// Made by cmake/embed_text.cmake.
-#include \"report/embedded.h\"
+#include \"${ARG_HEADER}\"
 
 #include <map>
 
@@ -21,7 +27,7 @@ function(embed_text output)
 
 namespace regarment {
 
-const std::string& embedded_text(const std::string& name) {
+const std::string& ${ARG_FUNCTION}(const std::string& name) {
   static const std::map<std::string, std::string> texts = {
 ${entries}  };
   const auto found = texts.find(name);

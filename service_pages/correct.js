@@ -1,0 +1,132 @@
+// A result corrected by hand: edges dragged on the picture, sizes that are known, fitted again from
+// the prepared scan, and the new beside the old.
+import { fileAddress, follow, get, isOpen, jobAddress, post } from './api.js';
+import { showComparison } from './compare_results.js';
+import { byId, make, tellProblem, words } from './dom.js';
+import { edgeLine } from './edge_line.js';
+import { drawFront } from './front_view.js';
+import { resultOf } from './results.js';
+
+let id = location.pathname.split('/')[2] ?? '';
+let result;
+let changes = { hint: {}, fix: {} };
+
+const tell = () => {
+  const count = Object.keys(changes.hint).length + Object.keys(changes.fix).length;
+  byId('fit').disabled = byId('reset').disabled = count === 0;
+  const one = ([name, value]) => `${words(name)} ${value.toFixed(1)} cm`;
+  byId('fit-words').textContent = count === 0 ? 'Nothing is changed yet.'
+    : [...Object.entries(changes.hint), ...Object.entries(changes.fix)].map(one).join(', ');
+};
+
+const note = (kind, name, value, was) => {
+  const number = Number(value);
+  if (String(value).trim() === '' || !(number > 0) || (was !== undefined && number.toFixed(1) === was.toFixed(1))) delete changes[kind][name];
+  else changes[kind][name] = number;
+  tell();
+};
+
+const numberField = (label, value, placeholder, limits) => {
+  const input = make('input', { type: 'number', step: '0.1', value, placeholder, ...limits });
+  return [make('label', { className: 'field' }, label, input), input];
+};
+
+const showEdge = (frame, garment, edge) => {
+  const name = `${garment.template}.${edge.name}_edge`;
+  const title = `${words(edge.name)}${result.garments.length > 1 ? `, ${garment.title}` : ''}`;
+  const [field, input] = numberField(title, edge.height_cm.toFixed(1), '', { min: '1', max: '299' });
+  const line = edgeLine(byId('front'), frame, title, (value) => {
+    input.value = value.toFixed(1);
+    note('hint', name, value, edge.height_cm);
+  });
+  line.put(edge.height_cm);
+  input.addEventListener('input', () => {
+    if (Number(input.value) > 0) line.put(Number(input.value));
+    note('hint', name, input.value, edge.height_cm);
+  });
+  byId('edges').append(field);
+};
+
+const showSize = (garment, m) => {
+  const title = `${m.title}${result.garments.length > 1 ? `, ${garment.title}` : ''}`;
+  const [field, input] = numberField(title, m.fixed ? m.value_cm.toFixed(1) : '', `found ${m.value_cm.toFixed(1)}`, { min: '1', max: '999' });
+  input.addEventListener('input', () => note('fix', `${garment.template}.${m.name}`, input.value, m.fixed ? m.value_cm : undefined));
+  byId('sizes').append(field);
+};
+
+// Lines, fields and picture for the result that is now the newest.
+const show = async () => {
+  const [view, garments] = await Promise.all([get(fileAddress(id, 'pictures/view.json')), get('/pages/garments.json')]);
+  for (const line of byId('front').querySelectorAll('.edge-line')) line.remove();
+  byId('edges').replaceChildren();
+  byId('sizes').replaceChildren();
+  const frame = drawFront(byId('front-canvas'), view);
+  for (const garment of result.garments) {
+    // Only edges round the trunk have one height that can be given.
+    const trunk = garments.find(({ name }) => name === garment.template)?.edges ?? [];
+    for (const edge of garment.edges) if (trunk.includes(edge.name)) showEdge(frame, garment, edge);
+    for (const m of garment.measurements) showSize(garment, m);
+  }
+  changes = { hint: {}, fix: {} };
+  tell();
+};
+
+const finished = (job) => new Promise((done) => {
+  const bar = byId('fit-progress');
+  bar.value = 0;
+  const stop = follow(job, async (kind, data) => {
+    if (kind === 'progress') {
+      bar.value = data.progress;
+      byId('fit-words').textContent = `Fitting again: ${data.stage} …`;
+    }
+    if (kind !== 'state' && kind !== 'deleted') return;
+    if (isOpen(data)) return;
+    stop();
+    done(get(jobAddress(job)));
+  });
+});
+
+const fitAgain = async () => {
+  byId('fit').disabled = byId('reset').disabled = true;
+  byId('fit-progress').hidden = false;
+  byId('fit-words').textContent = 'Waiting for a worker …';
+  const options = Object.fromEntries(Object.entries(changes).filter(([, named]) => Object.keys(named).length > 0));
+  const asked = await post(`${jobAddress(id)}/refit`, { options });
+  const job = await finished(asked.id);
+  byId('fit-progress').hidden = true;
+  if (job.state !== 'succeeded') {
+    tell();
+    throw new Error(job.error?.message ?? `The fit was ${job.state}.`);
+  }
+  const [before, source] = [result, id];
+  id = job.id;
+  result = await resultOf(id);
+  history.replaceState(null, '', `/jobs/${id}/correct`);
+  await show();
+  await showComparison(source, before, id, result);
+};
+
+const doing = (act) => async (event) => {
+  event?.preventDefault();
+  try {
+    await act();
+    tellProblem();
+  } catch (error) {
+    byId('fit-progress').hidden = true;
+    tellProblem(error);
+  }
+};
+
+byId('known').addEventListener('submit', doing(fitAgain));
+byId('reset').addEventListener('click', doing(show));
+doing(async () => {
+  const job = await get(jobAddress(id));
+  const title = job.name || id;
+  document.title = `Correct ${title} · Regarment`;
+  byId('title').textContent = title;
+  byId('subject').replaceChildren(make('a', { href: `/jobs/${id}`, textContent: 'back to the job' }));
+  if (job.state !== 'succeeded') throw new Error(`This job is ${job.state}; only a result can be corrected.`);
+  result = await resultOf(id);
+  await show();
+  if (job.source) await showComparison(job.source, await resultOf(job.source), id, result).catch(() => {});
+})();
