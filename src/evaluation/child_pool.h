@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
+#include "base/child_process.h"
 
 namespace regarment {
-
-/// How a child process ended.
-struct ChildEnd {
-  int status = 0;          // exit status; 128 + signal when a signal ended it
-  bool timed_out = false;  // ended by us, its time was over
-  std::string last_line;   // of standard error; what was not printable is spelled out
-  double seconds = 0;      // wall time
-};
 
 struct ChildPoolOptions {
   int at_once = 1;                     // >= 1
