@@ -20,6 +20,11 @@ constexpr const char* kHelpFooter =
 void add_speech(CLI::App& command, Speech& speech) {
   command.add_flag("--quiet", speech.quiet, "No progress on standard error");
   command.add_flag("--json", speech.json, "The result as JSON on standard output");
+  command
+      .add_option("--progress", speech.progress,
+                  "auto: a bar on a terminal, plain lines elsewhere; json: an object a line")
+      ->check(CLI::IsMember({"auto", "json"}))
+      ->capture_default_str();
 }
 
 // One value a time: "--garment tshirt --garment skirt", never "--garment tshirt skirt".
@@ -43,6 +48,9 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
                            "Template name or file; repeat for layers, outermost first"))
       ->required();
   fit->add_option("--out", a.out, "Folder for the result")->required();
+  fit->add_option("--name", a.name,
+                  "What the scan is called in the result and in the table of true dimensions; its "
+                  "file's name by default");
   fit->add_flag("--force", a.force, "Replace a folder that is not empty");
   fit->add_option("--method", a.method, "How to find the dimensions: joint, direct or annealing")
       ->capture_default_str();
@@ -157,8 +165,37 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
+CLI::App* add_worker(CLI::App& app, WorkerArguments& a) {
+  CLI::App* worker = app.add_subcommand("worker", "Run queued jobs until stopped");
+  add_worker_options(*worker, a);
+  add_speech(*worker, a.speech);
+  return worker;
+}
+
+CLI::App* add_key(CLI::App& app, KeyArguments& a) {
+  CLI::App* key = app.add_subcommand("key", "Add, list or revoke API keys of the service");
+  add_key_options(*key, a);
+  add_speech(*key, a.speech);
+  return key;
+}
+
+CLI::App* add_config(CLI::App& app, ConfigArguments& a) {
+  CLI::App* config = app.add_subcommand("config", "Check the service's config");
+  add_config_options(*config, a);
+  add_speech(*config, a.speech);
+  return config;
+}
+
+CLI::App* add_doctor(CLI::App& app, DoctorArguments& a) {
+  CLI::App* doctor = app.add_subcommand("doctor", "Look at what the service stands on");
+  add_place_options(*doctor, a.place);
+  add_speech(*doctor, a.speech);
+  return doctor;
+}
+
 constexpr const char* kCommands =
-    "fit, refit, evaluate, synthesize, report, review, render or templates";
+    "fit, refit, evaluate, synthesize, report, review, render, templates, worker, key, config or "
+    "doctor";
 
 // CLI11 prints an unknown command as an argument it did not expect.
 void check_command_name(int argc, const char* const* argv) {
@@ -171,7 +208,8 @@ void check_command_name(int argc, const char* const* argv) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
   for (const std::string_view known :
-       {"fit", "refit", "evaluate", "synthesize", "report", "review", "render", "templates"}) {
+       {"fit", "refit", "evaluate", "synthesize", "report", "review", "render", "templates",
+        "worker", "key", "config", "doctor"}) {
     if (name == known) return;
   }
   throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
@@ -193,9 +231,19 @@ void check_method(const std::string& method) {
                    "' is unknown; use --method joint, direct or annealing");
 }
 
+void check_name(const std::string& name) {
+  constexpr std::size_t kLongest = 255;
+  if (name.size() > kLongest || name == "." || name == ".." ||
+      name.find_first_of(std::string_view("/\0", 2)) != std::string::npos) {
+    throw UsageError("--name: '" + one_line(name, 60) +
+                     "' is no file name; give one of at most 255 characters, without '/'");
+  }
+}
+
 void check(const FitArguments& a) {
   check_method(a.method);
   check_value("SCAN", a.scan);
+  check_name(a.name);
   check_value("--out", a.out);
   for (const std::string& garment : a.garments) check_value("--garment", garment);
   if (a.garments.size() > 8) throw UsageError("--garment: more than 8 layers; give fewer");
@@ -262,6 +310,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   ReviewArguments review;
   RenderArguments render;
   TemplatesArguments templates;
+  WorkerArguments worker;
+  KeyArguments key;
+  ConfigArguments config;
+  DoctorArguments doctor;
   CLI::App app("Finds the flat dimensions of garments on 3D scans of dressed people.", "regarment");
   app.require_subcommand(1);
   app.set_version_flag("--version", "regarment " + version());
@@ -274,6 +326,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* review_app = add_review(app, review);
   CLI::App* render_app = add_render(app, render);
   add_templates(app, templates);
+  CLI::App* worker_app = add_worker(app, worker);
+  CLI::App* key_app = add_key(app, key);
+  CLI::App* config_app = add_config(app, config);
+  CLI::App* doctor_app = add_doctor(app, doctor);
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", "regarment " + version());
     command->footer(kHelpFooter);
@@ -298,6 +354,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == report_app) return check_value("DIR", report.folder), report;
   if (used() == review_app) return check(review), review;
   if (used() == render_app) return check(render), render;
+  if (used() == worker_app) return worker;
+  if (used() == key_app) return check_key(key), key;
+  if (used() == config_app) return config;
+  if (used() == doctor_app) return doctor;
   return templates;
 }
 

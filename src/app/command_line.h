@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "app/known_options.h"
+#include "app/service_options.h"
+#include "app/speech.h"
 
 namespace regarment {
-
-/// How a command speaks.
-struct Speech {
-  bool quiet = false;  // no progress on standard error
-  bool json = false;   // the result as JSON on standard output
-};
 
 /// What --method annealing can be told. Where the paper's method is departed from, a switch leads
 /// back; `as_printed` is all of them.
@@ -34,6 +30,7 @@ struct AnnealingArguments {
 struct FitArguments {
   Speech speech;
   std::filesystem::path scan, out;
+  std::string name;                   // of the scan; empty: its file's
   std::vector<std::string> garments;  // template names or files, outermost first, at least one
   bool force = false, timing = true, state = true;
   std::string method = "joint", units = "auto", up = "auto", front = "auto";
@@ -119,7 +116,8 @@ struct TextAnswer {
 
 using Command =
     std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
-                 ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments, TextAnswer>;
+                 ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
+                 WorkerArguments, KeyArguments, ConfigArguments, DoctorArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

@@ -35,4 +35,16 @@ void run_render(const RenderArguments& arguments, Console& console);
 /// Lists the templates, or shows one with its measurements, bounds and drawing.
 void run_templates(const TemplatesArguments& arguments, Console& console);
 
+/// Runs jobs of the store until it is stopped.
+void run_worker_command(const WorkerArguments& arguments, Console& console, const StopSignal& stop);
+
+/// Adds, lists or revokes API keys. Says a new key, which nobody can find out again.
+void run_key(const KeyArguments& arguments, Console& console);
+
+/// Reads the service's config and shows every field with who set it.
+void run_config(const ConfigArguments& arguments, Console& console);
+
+/// Looks at what the service stands on, a line each. Throws GateError when something failed.
+void run_doctor(const DoctorArguments& arguments, Console& console);
+
 }  // namespace regarment

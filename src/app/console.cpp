@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/one_line.h"
@@ -32,8 +33,15 @@ Console::~Console() { clear_bar(); }
 
 Progress Console::progress() {
   return Progress([this](std::string_view stage, double fraction, std::string_view detail) {
-    if (!speech_.quiet && terminal_) show_bar(stage, fraction, detail);
-    if (!speech_.quiet && !terminal_) show_line(stage, fraction, detail);
+    if (!speech_.quiet) {
+      if (speech_.progress == "json") {
+        show_json(stage, fraction, detail);
+      } else if (terminal_) {
+        show_bar(stage, fraction, detail);
+      } else {
+        show_line(stage, fraction, detail);
+      }
+    }
     return !stop_.asked();
   });
 }
@@ -54,6 +62,17 @@ void Console::show_line(std::string_view stage, double fraction, std::string_vie
   stage_.clear();
 }
 
+void Console::show_json(std::string_view stage, double fraction, std::string_view detail) {
+  const double share = std::clamp(fraction, 0.0, 1.0);
+  const int percent = static_cast<int>(100 * share);
+  if (stage == stage_ && percent == percent_) return;
+  stage_ = stage, percent_ = percent;
+  nlohmann::ordered_json json = {{"stage", stage_}, {"fraction", share}};
+  if (!detail.empty()) json["detail"] = detail;
+  (void)put(STDERR_FILENO,
+            json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
 void Console::show_bar(std::string_view stage, double fraction, std::string_view detail) {
   constexpr int kWidth = 30;
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
@@ -68,7 +87,8 @@ void Console::show_bar(std::string_view stage, double fraction, std::string_view
 }
 
 void Console::clear_bar() {
-  if (terminal_ && percent_ >= 0) (void)put(STDERR_FILENO, "\r\x1b[K");
+  if (terminal_ && percent_ >= 0 && speech_.progress != "json")
+    (void)put(STDERR_FILENO, "\r\x1b[K");
   percent_ = -1;
 }
 

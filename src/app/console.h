@@ -18,8 +18,9 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   /// Draws a bar on a terminal; elsewhere writes a line for each stage done and for each tenth of a
-  /// stage that has something to say; says nothing when quiet; answers "stop" once a signal came.
-  /// Lives no longer than the console.
+  /// stage that has something to say, or, with --progress json, {"stage", "fraction", "detail"?}
+  /// for each percent of a stage; says nothing when quiet; answers "stop" once a signal came. Lives
+  /// no longer than the console.
   Progress progress();
 
   /// A line for a person on standard output; silent when quiet or when the result goes there as
@@ -37,6 +38,7 @@ class Console {
 
  private:
   void show_line(std::string_view stage, double fraction, std::string_view detail);
+  void show_json(std::string_view stage, double fraction, std::string_view detail);
   void show_bar(std::string_view stage, double fraction, std::string_view detail);
   void clear_bar();
 

@@ -52,7 +52,8 @@ void run_fit(const FitArguments& a, Console& console) {
   const std::vector<GarmentTemplate> templates = templates_of(a);
   check_output_folder(a.out, a.force, inputs_of(a));
   std::vector<TruthRow> truth;
-  if (a.ground_truth) truth = read_ground_truth(*a.ground_truth, a.scan);
+  if (a.ground_truth)
+    truth = read_ground_truth(*a.ground_truth, a.scan.parent_path() / name_of_scan(a));
   const AnalyzeOptions how = analyze_options(a, templates);
   const auto add_truth = [&](Analysis& analysis) {
     if (!truth.empty()) apply_ground_truth(truth, a.ground_truth->filename().string(), analysis);

@@ -58,6 +58,22 @@ struct Run {
     Console console(arguments.speech, stop);
     run_templates(arguments, console);
   }
+  void operator()(const KeyArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_key(arguments, console);
+  }
+  void operator()(const ConfigArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_config(arguments, console);
+  }
+  void operator()(const DoctorArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_doctor(arguments, console);
+  }
+  void operator()(const WorkerArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_worker_command(arguments, console, stop);
+  }
 };
 
 int run(int argc, const char* const* argv) {

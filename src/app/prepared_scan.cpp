@@ -14,12 +14,11 @@
 namespace regarment {
 namespace {
 
-std::string file_name(const FitArguments& a) { return a.scan.filename().string(); }
-
 // Made from everything that what is prepared depends on.
 std::string entry_name(const FitArguments& a, const std::string& sha256) {
   std::string all = "prepared\n" + build_identity();
-  for (const std::string& part : {sha256, a.units, a.up, a.front, file_name(a)}) all += "\n" + part;
+  for (const std::string& part : {sha256, a.units, a.up, a.front, name_of_scan(a)})
+    all += "\n" + part;
   return sha256_hex(std::as_bytes(std::span(all)));
 }
 
@@ -37,6 +36,10 @@ std::optional<PreparedScan> taken(const StageCache& cache, const std::string& na
 
 }  // namespace
 
+std::string name_of_scan(const FitArguments& a) {
+  return a.name.empty() ? a.scan.filename().string() : a.name;
+}
+
 PreparedScan prepared_scan(const FitArguments& a, const StageCache* cache, const Progress& progress,
                            const std::function<void(const char* stage)>& lap) {
   const bool known = cache != nullptr && !build_identity().empty();
@@ -53,7 +56,7 @@ PreparedScan prepared_scan(const FitArguments& a, const StageCache* cache, const
   progress.report("prepare", 0.0);
   ScanState state;
   state.scan = make_scan(std::move(read.mesh), {a.units, a.up, a.front});
-  state.scan.facts.file = file_name(a);
+  state.scan.facts.file = name_of_scan(a);
   state.scan.facts.sha256 = read.sha256;
   PreparedScan out;
   out.stored = write_state(state);

@@ -10,6 +10,9 @@
 
 namespace regarment {
 
+/// --name, or the file's.
+std::string name_of_scan(const FitArguments& a);
+
 struct PreparedScan {
   Scan scan;           // as read back from `stored`
   std::string stored;  // a state of the scan alone

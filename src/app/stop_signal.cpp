@@ -10,10 +10,9 @@
 namespace regarment {
 namespace {
 
-constexpr timespec kPatience{2, 0};
-
 std::atomic<int> stopped_by{0};
 std::atomic<bool> told{false};
+std::atomic<std::int64_t> patience{2000};  // ms
 
 // By the thread that gets here first: the program's own way out, or the watcher whose patience
 // ends.
@@ -39,7 +38,9 @@ void watch() {
   int got = 0;
   if (sigwait(&set, &got) != 0 || got == SIGUSR1) return;
   stopped_by = got;
-  if (sigtimedwait(&set, nullptr, &kPatience) == SIGUSR1) return;
+  const std::int64_t milliseconds = patience;
+  const timespec time{milliseconds / 1000, milliseconds % 1000 * 1'000'000};
+  if (sigtimedwait(&set, nullptr, &time) == SIGUSR1) return;
   tell_once(got);
   ::_exit(128 + got);
 }
@@ -60,6 +61,8 @@ StopSignal::~StopSignal() {
 }
 
 bool StopSignal::asked() const { return stopped_by != 0; }
+
+void StopSignal::allow(std::chrono::milliseconds time) const { patience = time.count(); }
 
 int StopSignal::exit_status() const { return stopped_by == 0 ? 0 : 128 + stopped_by; }
 

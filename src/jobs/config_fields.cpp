@@ -34,9 +34,9 @@ constexpr std::array kFields = {
     ConfigField{"keep_hours", &C::keep_hours, 0, 100 * kYear / 3600},
     ConfigField{"lease_seconds", &C::lease_seconds, 0.1, kYear},
     ConfigField{"max_attempts", &C::max_attempts, 1, 100},
-    ConfigField{"fit_memory_mb", &C::fit_memory_mb, 256, kMegabytes},
+    ConfigField{"fit_memory_mb", &C::fit_memory_mb, 0, kMegabytes},
     ConfigField{"fit_seconds", &C::fit_seconds, 0.1, kYear},
-    ConfigField{"fit_file_mb", &C::fit_file_mb, 1, kMegabytes},
+    ConfigField{"fit_file_mb", &C::fit_file_mb, 0, kMegabytes},
     ConfigField{"drain_seconds", &C::drain_seconds, 0, 3600},
 };
 

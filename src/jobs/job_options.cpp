@@ -116,7 +116,8 @@ void add_words(const Option& option, const Json& value, std::vector<std::string>
 
 std::vector<std::string> option_words(std::string_view text) {
   std::vector<std::string> words, seen;
-  for (const auto& [given, value] : parsed(text).items()) {
+  const Json options = parsed(text);
+  for (const auto& [given, value] : options.items()) {
     std::string name = given;
     std::replace(name.begin(), name.end(), '_', '-');
     const auto* option = std::find_if(std::begin(kOptions), std::end(kOptions),

@@ -28,9 +28,9 @@ struct ServiceConfig {
   double keep_hours = 0;                 // ended jobs are deleted after this; 0: kept
   double lease_seconds = 30;             // a worker silent for so long has lost its job
   int max_attempts = 3;                  // crashes before a job is parked as dead
-  std::uint64_t fit_memory_mb = 4096;    // address space of one fit
+  std::uint64_t fit_memory_mb = 4096;    // address space of one fit; 0: no limit
   double fit_seconds = 1800;             // wall time of one fit
-  std::uint64_t fit_file_mb = 2048;      // of any one file a fit writes
+  std::uint64_t fit_file_mb = 2048;      // of any one file a fit writes; 0: no limit
   double drain_seconds = 10;             // SIGTERM: how long running work may still take
 
   /// Throws UsageError that names the field, its value and what it may be.

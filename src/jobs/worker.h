@@ -19,7 +19,7 @@ struct WorkerOptions {
   std::chrono::milliseconds poll{200};  // between two looks at an empty queue
   int max_attempts = 3;
   std::chrono::milliseconds pause{2000};    // before another try; doubled with each attempt
-  std::uint64_t memory_mb = 4096;           // address space of a child
+  std::uint64_t memory_mb = 4096;           // address space of a child; 0: no limit
   std::uint64_t file_mb = 2048;             // of any one file it writes
   std::chrono::milliseconds time{1800000};  // wall time of a child
   std::chrono::milliseconds grace{10000};   // what a running job may still take once asked to stop
@@ -36,7 +36,7 @@ struct WorkerOptions {
 ///   internal          a fault of the program (1)
 ///   temporary         disk full and the like (75); tried again
 ///   crashed           ended by a signal; tried again
-///   out_of_memory     ended for want of memory; tried again
+///   out_of_memory     ended for want of memory, or killed; tried again
 ///   timed_out         longer than it may take; tried again
 ///   worker_lost       its worker fell silent; tried again
 /// What is tried again becomes `dead` with the last of these after `max_attempts`.

@@ -1,0 +1,84 @@
+#include "jobs/job_command.h"
+
+#include <initializer_list>
+
+#include "base/error.h"
+#include "jobs/job_options.h"
+#include "jobs/job_store.h"
+
+namespace regarment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 200;
+
+using Words = std::vector<std::string>;
+
+bool is_file(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+void add(Words& words, const std::string& option, const std::string& value) {
+  words.push_back(option + "=" + value);
+}
+
+void add_fit(const Job& job, const JobFolders& folders, Words& words) {
+  words.push_back(folders.scan(job.id));
+  for (const std::string& garment : job.garments) add(words, "--garment", garment);
+  const std::string name = fs::path(job.name).filename().string().substr(0, kLongestName);
+  if (!name.empty() && name != "." && name != "..") add(words, "--name", name);
+  const fs::path folder = folders.job(job.id);
+  if (is_file(folder / "truth.csv")) add(words, "--ground-truth", folder / "truth.csv");
+  if (is_file(folder / "labels.u8")) add(words, "--ground-truth-labels", folder / "labels.u8");
+}
+
+void add_refit(const Job& job, const JobFolders& folders, JobStore& store, Words& words) {
+  const auto source = store.find(job.source);
+  if (!source || source->state != JobState::Succeeded) {
+    throw UsageError(
+        "the job whose result this one begins from has none, or is deleted; submit the "
+        "scan again");
+  }
+  words.push_back(folders.result(*source));
+}
+
+void add_evaluate(const Job& job, const JobFolders& folders, Words& words) {
+  const fs::path folder = folders.job(job.id);
+  if (!is_file(folder / "truth.csv")) {
+    throw ReadError("the evaluation has no table in its folder; send the table again");
+  }
+  words.push_back(folder / "truth.csv");
+  add(words, "--scans", folder / "scans");
+  add(words, "--jobs", "1");
+}
+
+}  // namespace
+
+std::vector<std::string> job_command(const Job& job, const JobFolders& folders, JobStore& store,
+                                     const fs::path& program, int threads) {
+  Words words = {program, std::string(name_of(job.kind))};
+  switch (job.kind) {
+    case JobKind::Fit:
+      add_fit(job, folders, words);
+      break;
+    case JobKind::Refit:
+      add_refit(job, folders, store, words);
+      break;
+    case JobKind::Render:
+      words.push_back(folders.scan(job.id));
+      break;
+    case JobKind::Evaluate:
+      add_evaluate(job, folders, words);
+      break;
+  }
+  add(words, "--out", folders.result(job));
+  add(words, "--progress", "json");
+  if (job.kind != JobKind::Render) add(words, "--threads", std::to_string(threads));
+  const Words options = option_words(job.options);
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
+}
+
+}  // namespace regarment
