@@ -104,6 +104,7 @@ const fitAgain = async () => {
   history.replaceState(null, '', `/jobs/${id}/correct`);
   await show();
   await showComparison(source, before, id, result);
+  byId('compare').scrollIntoView({ block: 'start' });
 };
 
 const doing = (act) => async (event) => {

@@ -1,31 +1,13 @@
 // What holds for every page, whatever it shows.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { HtmlValidate } from 'html-validate';
 import { compareWithBaseline, fromDisk, launch, open, pages, serve } from './browser.mjs';
+import { validator, violations } from './health.mjs';
 
-const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const phone = { viewport: { width: 390, height: 844 } };
 const dark = { colorScheme: 'dark' };
-
-// Words that say little of a page's health are left to taste: long titles, and characters that HTML
-// allows as they are.
-const validator = new HtmlValidate({
-  extends: ['html-validate:recommended'],
-  rules: { 'long-title': 'off', 'no-raw-characters': ['error', { relaxed: true }], 'void-style': ['error', { style: 'omit' }] },
-});
-
-const violations = async (browser, address, options) => {
-  const { page, close } = await open(browser, address, { bypassCSP: true, ...options });
-  await page.evaluate(axe);
-  const found = await page.evaluate(async () => (await globalThis.axe.run()).violations
-    .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((n) => n.target.join(' ')).join(' | ')}`));
-  await close();
-  return found;
-};
 
 let browser;
 before(async () => { browser = await launch(); });

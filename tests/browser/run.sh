@@ -4,7 +4,7 @@
 # taken stay there. Ends with 77, which CTest counts as skipped, where node, npm or Chromium is
 # missing. UPDATE_BASELINES=1 keeps the pictures taken as tests/baselines/pages.
 set -eu
-program=$1
+program=$(realpath "$1")
 work=$2
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
@@ -39,5 +39,5 @@ awk -F, -v OFS=, 'NR == 1 { print; next } { $6 += 1; print }' "$data/ground_trut
 "$program" review "$work/evaluation" --out "$work/review.html" --force --quiet
 
 cd "$work"
-CHROMIUM=$chromium PAGES=$work PAPER=$source/examples/paper/index.html \
+CHROMIUM=$chromium PROGRAM=$program EXAMPLES=$data PAGES=$work PAPER=$source/examples/paper/index.html \
   BASELINES=$source/tests/baselines/pages node --test
