@@ -4,6 +4,7 @@
 
 #include "app/annealing_options.h"
 #include "app/evaluate_options.h"
+#include "app/shell_help.h"
 #include "app/synthesize_options.h"
 #include "base/error.h"
 #include "base/one_line.h"
@@ -193,26 +194,44 @@ CLI::App* add_doctor(CLI::App& app, DoctorArguments& a) {
   return doctor;
 }
 
-constexpr const char* kCommands =
-    "fit, refit, evaluate, synthesize, report, review, render, templates, worker, key, config or "
-    "doctor";
+struct ShellHelp {
+  std::string shell;
+};
+
+CLI::App* add_completion(CLI::App& app, ShellHelp& a) {
+  CLI::App* completion =
+      app.add_subcommand("completion", "A script by which a shell completes commands and options");
+  completion->add_option("SHELL", a.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  return completion;
+}
+
+CLI::App* add_manual(CLI::App& app) {
+  return app.add_subcommand("manual", "The manual page, for man -l or the manual's folder");
+}
+
+// "fit, refit or render"
+std::string in_words(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  return out;
+}
 
 // CLI11 prints an unknown command as an argument it did not expect.
-void check_command_name(int argc, const char* const* argv) {
-  if (argc < 2) throw UsageError(std::string("no command; use ") + kCommands + " (--help)");
-  const std::string_view name = argv[1];
-  for (const std::string_view known : {"-h", "--help", "--version"}) {
-    if (name == known) return;
-  }
+void check_command_name(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (argc < 2) throw UsageError("no command; use " + in_words(known) + " (--help)");
+  const std::string name = argv[1];
+  if (name == "-h" || name == "--help" || name == "--version") return;
   if (name.starts_with("-")) {
     throw UsageError("'" + one_line(name, 60) + "' is no option before a command; see --help");
   }
-  for (const std::string_view known :
-       {"fit", "refit", "evaluate", "synthesize", "report", "review", "render", "templates",
-        "worker", "key", "config", "doctor"}) {
-    if (name == known) return;
-  }
-  throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " + kCommands);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw UsageError("'" + one_line(name, 60) + "' is no command of this version; use " +
+                   in_words(known));
 }
 
 // A flag that was taken for a value: "--out --force".
@@ -301,7 +320,6 @@ std::string in_one_line(const CLI::ParseError& error, const std::string& command
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
-  check_command_name(argc, argv);
   FitArguments fit;
   RefitArguments refit;
   EvaluateArguments evaluate;
@@ -330,10 +348,14 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* key_app = add_key(app, key);
   CLI::App* config_app = add_config(app, config);
   CLI::App* doctor_app = add_doctor(app, doctor);
+  ShellHelp shell;
+  CLI::App* completion_app = add_completion(app, shell);
+  CLI::App* manual_app = add_manual(app);
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", "regarment " + version());
     command->footer(kHelpFooter);
   }
+  check_command_name(app, argc, argv);
   const auto used = [&] {
     const auto chosen = app.get_subcommands();
     return chosen.empty() ? &app : chosen.front();
@@ -358,6 +380,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == key_app) return check_key(key), key;
   if (used() == config_app) return config;
   if (used() == doctor_app) return doctor;
+  if (used() == completion_app) return TextAnswer{completion_script(app, shell.shell)};
+  if (used() == manual_app) return TextAnswer{manual_page(app, version())};
   return templates;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace regarment {
+
+/// A script by which a shell completes commands, options and their values: "bash", "zsh" or "fish".
+/// Throws UsageError for another shell.
+std::string completion_script(const CLI::App& app, const std::string& shell);
+
+/// The manual page regarment(1), roff with the man macros: every command with its options.
+std::string manual_page(const CLI::App& app, const std::string& version);
+
+}  // namespace regarment
