@@ -3,9 +3,10 @@ import { make } from './dom.js';
 
 const kSigns = { good: '✓', look: '!', poor: '✗' };
 
+export const sign = (level) => make('span', { className: 'sign', textContent: kSigns[level], aria: { hidden: 'true' } });
+
 export const checkLine = (level, text, advice) => make('li', { className: level },
-  make('span', { className: 'sign', textContent: kSigns[level], aria: { hidden: 'true' } }),
-  make('span', { className: 'light', textContent: level }), ` ${text}`,
+  sign(level), make('span', { className: 'light', textContent: level }), ` ${text}`,
   ...(advice ? [make('span', { className: 'advice', textContent: ` ${advice}` })] : []));
 
 export const checkLines = (checks) => checks.map(({ level, name, found, advice }) => checkLine(level, `${name}: ${found}`, advice));

@@ -44,7 +44,15 @@ const showEdge = (frame, garment, edge) => {
     if (Number(input.value) > 0) line.put(Number(input.value));
     note('hint', name, input.value, edge.height_cm);
   });
-  byId('edges').append(field);
+  const settle = (height) => {
+    input.value = height.toFixed(1);
+    input.dispatchEvent(new Event('input'));
+  };
+  // Where else it may lie, as the fit weighed it.
+  const others = edge.rivals.map(({ height_cm: height, weight }) => make('button', {
+    type: 'button', textContent: `or ${height.toFixed(1)} (${Math.round(100 * weight)} %)`, onclick: () => settle(height),
+  }));
+  byId('edges').append(make('div', {}, field, ...(others.length > 0 ? [make('div', { className: 'rivals' }, ...others)] : [])));
 };
 
 const showSize = (garment, m) => {

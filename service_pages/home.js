@@ -65,6 +65,8 @@ const submit = async (file, batch) => {
   body.append('garments', JSON.stringify(chosenGarments()));
   body.append('options', JSON.stringify(options()));
   if (batch) body.append('batch', batch);
+  const truth = byId('truth').files[0];
+  if (truth) body.append('ground_truth', truth);
   body.append('scan', file, file.name);
   return send('/v1/jobs', body, (share) => { sent.value = share; });
 };

@@ -1,6 +1,6 @@
 // What a job found: its lights, pictures, measurements and files.
 import { fileAddress } from './api.js';
-import { checkLine, checkLines } from './checks_list.js';
+import { checkLine, checkLines, sign } from './checks_list.js';
 import { byId, make, tellProblem } from './dom.js';
 import { measurementTables } from './measurement_table.js';
 import { checksOf, labelPictures, resultOf } from './results.js';
@@ -33,7 +33,8 @@ const showLinks = (job, has) => {
 
 const showVerdict = (verdict) => {
   byId('state-box').className = `verdict state-box ${verdict.level}`;
-  byId('state-title').textContent = verdict.headline;
+  byId('state-title').replaceChildren(sign(verdict.level), verdict.headline);
+  byId('remarks').replaceChildren(...verdict.warnings.map((text) => make('li', { textContent: text })));
   const lines = verdict.checks.filter(({ level }) => level !== 'good');
   const good = verdict.checks.length - lines.length;
   byId('lights').replaceChildren(...checkLines(lines),

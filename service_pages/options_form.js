@@ -12,9 +12,10 @@ const kFields = {
   fix: { name: 'fix', label: 'Known sizes', place: 'skirt.length=54', note: 'cm, held exactly; several with commas' },
   hint: { name: 'hint', label: 'Edges seen', place: 'skirt.waist_edge=103', note: 'cm above the floor, looked for within 3 cm' },
   seed: { name: 'seed', label: 'Seed', number: true, place: '1' },
+  runs: { name: 'runs', label: 'Runs', number: true, note: 'of the method annealing' },
   forget: { name: 'forget', label: 'Forget sizes and edges given before', box: true },
 };
-export const kFitFields = ['method', 'fabric', 'units', 'up', 'front', 'fix', 'hint', 'seed'];
+export const kFitFields = ['method', 'fabric', 'units', 'up', 'front', 'fix', 'hint', 'seed', 'runs'];
 export const kRefitFields = ['method', 'fabric', 'fix', 'hint', 'forget'];
 
 const control = (field) => {
