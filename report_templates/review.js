@@ -61,7 +61,8 @@
     card.setAttribute('aria-current', 'true');
     if (!focus) return;
     card.focus({ preventScroll: true });
-    card.scrollIntoView({ block: 'nearest' });
+    const room = innerHeight - byId('bar').offsetHeight;
+    card.scrollIntoView({ block: card.offsetHeight < room ? 'nearest' : 'start' });
   };
 
   const sift = () => {
@@ -102,8 +103,10 @@
     choose(card);
     const box = make('textarea', { value: stateOf(card).note, maxLength: 2000 });
     box.setAttribute('aria-label', `Note on ${card.dataset.name}`);
+    let asked = true;  // removing the box takes its focus, which asks again
     const close = (keep) => {
-      if (!box.isConnected) return;
+      if (!asked) return;
+      asked = false;
       const note = box.value.trim();
       box.remove();
       if (keep && note !== stateOf(card).note) verdicts.set(card.dataset.name, { note });
@@ -116,8 +119,8 @@
       event.preventDefault();
       close(event.key === 'Enter');
     });
-    box.addEventListener('blur', () => close(true), { once: true });
-    card.append(box);
+    box.addEventListener('blur', () => close(true));
+    card.querySelector('.decide').after(box);
     box.focus();
   };
 
@@ -160,7 +163,7 @@
       if (verdict) one.dataset.verdict = verdict;
       return one;
     };
-    card.append(make('p', { className: 'state' }), make('p', { className: 'written' }),
+    card.querySelector('img, .no-picture').after(make('p', { className: 'state' }), make('p', { className: 'written' }),
       make('div', { className: 'decide' },
         button('✓ Accept', 'accepted', () => decide(card, 'accepted')),
         button('✗ Reject', 'rejected', () => decide(card, 'rejected')),

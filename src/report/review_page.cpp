@@ -37,16 +37,24 @@ Gaps size_row(const ResultMeasurement& m) {
   return row;
 }
 
-std::vector<Gaps> garments_of(const Result& result, bool& with_truth) {
+bool has_truth(const Result& result) {
+  for (const ResultGarment& garment : result.garments) {
+    for (const ResultMeasurement& m : garment.measurements) {
+      if (m.error_cm()) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Gaps> garments_of(const Result& result, bool with_truth) {
   std::vector<Gaps> out;
   for (const ResultGarment& garment : result.garments) {
     std::vector<Gaps> rows;
-    for (const ResultMeasurement& m : garment.measurements) {
-      with_truth = with_truth || m.error_cm().has_value();
-      rows.push_back(size_row(m));
-    }
+    for (const ResultMeasurement& m : garment.measurements) rows.push_back(size_row(m));
     Gaps& one = out.emplace_back();
     one.set("name", garment.title);
+    one.set("layered", result.garments.size() > 1);
+    one.set("columns", std::string(with_truth ? "4" : "3"));
     one.set("sizes", std::move(rows));
   }
   return out;
@@ -55,7 +63,7 @@ std::vector<Gaps> garments_of(const Result& result, bool& with_truth) {
 Gaps card(const ReviewItem& item, std::size_t number) {
   Gaps out;
   show_verdict(item.result, out);
-  bool with_truth = false;
+  const bool with_truth = has_truth(item.result);
   out.set("wearing", garments_of(item.result, with_truth));
   out.set("with_truth", with_truth);
   out.set("number", std::to_string(number));
@@ -68,6 +76,10 @@ Gaps card(const ReviewItem& item, std::size_t number) {
                                   [](const Check& c) { return c.level == CheckLevel::Good; });
   out.set_maybe("good_count", good > 0 ? std::to_string(good) : "");
   out.set("one_good", good == 1);
+  const std::size_t remarks = item.result.warnings.size();
+  out.set_maybe("remark_count", remarks == 0   ? ""
+                                : remarks == 1 ? "1 remark"
+                                               : std::to_string(remarks) + " remarks");
   out.set("has_picture", !item.picture.webp.empty());
   out.set("source", "data:image/webp;base64," + base64(item.picture.webp));
   out.set("width", std::to_string(item.picture.width));

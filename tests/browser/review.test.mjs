@@ -60,12 +60,17 @@ describe('review', () => {
 
   it('keeps verdicts and notes, hands them out and reads them back', async () => {
     const note = '-1 cm, "hem"\nsecond line';
-    const { page, close } = await open(browser, address);
+    const { page, complaints, close } = await open(browser, address);
     await press(page, 'a', 'n');
+    await page.keyboard.type('not this');
+    await press(page, 'Escape');
+    assert.equal(await page.locator(`[data-name="${names[1]}"] .written`).textContent(), '');
+    await press(page, 'n');
     await page.keyboard.type('-1 cm, "hem"');
     await press(page, 'Shift+Enter');
     await page.keyboard.type('second line');
     await press(page, 'Enter', 'r');
+    assert.deepEqual(complaints, []);
     await page.reload();
     assert.equal(await state(page, names[1]), 'rejected');
     assert.equal(await page.locator(`[data-name="${names[1]}"] .written`).textContent(), note);
