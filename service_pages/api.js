@@ -105,15 +105,14 @@ export const fileAddress = (id, file) => `${jobAddress(id)}/${file.split('/').ma
 const kOpen = ['queued', 'running'];
 export const isOpen = (job) => kOpen.includes(job.state);
 
-// Follows the events of a job; `told(kind, data)` for each. Returns what stops it.
+// Follows the events of a job from its first; `told(kind, data)` for each. Returns what stops it: a
+// job that failed may have been queued again, so its state alone says whether it is over.
 export const follow = (id, told) => {
   const source = new EventSource(`${jobAddress(id)}/events`);
   for (const kind of ['state', 'progress', 'review', 'deleted']) {
     source.addEventListener(kind, (event) => {
-      const data = JSON.parse(event.data);
-      const over = kind === 'deleted' || (kind === 'state' && !kOpen.includes(data.state));
-      if (over) source.close();
-      told(kind, data);
+      if (kind === 'deleted') source.close();
+      told(kind, JSON.parse(event.data));
     });
   }
   return () => source.close();

@@ -79,18 +79,24 @@ const show = async () => {
   tell();
 };
 
-const finished = (job) => new Promise((done) => {
+const finished = (job) => new Promise((done, fail) => {
   const bar = byId('fit-progress');
   bar.value = 0;
   const stop = follow(job, async (kind, data) => {
     if (kind === 'progress') {
       bar.value = data.progress;
       byId('fit-words').textContent = `Fitting again: ${data.stage} …`;
+      return;
     }
-    if (kind !== 'state' && kind !== 'deleted') return;
-    if (isOpen(data)) return;
-    stop();
-    done(get(jobAddress(job)));
+    try {
+      const now = await get(jobAddress(job));
+      if (isOpen(now)) return;
+      stop();
+      done(now);
+    } catch (error) {
+      stop();
+      fail(error);
+    }
   });
 });
 

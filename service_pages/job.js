@@ -63,6 +63,7 @@ const show = (now) => {
 
 const load = async () => {
   show(await get(jobAddress(id)));
+  if (!isOpen(job)) stop?.();
   if (job.state === 'succeeded') await showResult(job);
 };
 
