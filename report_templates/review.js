@@ -163,7 +163,7 @@
       if (verdict) one.dataset.verdict = verdict;
       return one;
     };
-    card.querySelector('img, .no-picture').after(make('p', { className: 'state' }), make('p', { className: 'written' }),
+    card.querySelector('.views, img, .no-picture').after(make('p', { className: 'state' }), make('p', { className: 'written' }),
       make('div', { className: 'decide' },
         button('✓ Accept', 'accepted', () => decide(card, 'accepted')),
         button('✗ Reject', 'rejected', () => decide(card, 'rejected')),
