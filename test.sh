@@ -130,12 +130,13 @@ install_validator() {
 scripts/install_packages.sh build test || exit 1
 install_validator
 
-build release && run_tests release
+build release && run_tests release && check "installed library and package" tests/package/library.sh
 build asan && run_tests asan
 [ "$full" = no ] || { build tsan && run_tests tsan; }
 mapfile -t fuzzers < <(fuzz_targets)
 build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
 [ "$full" = no ] || fuzz_long "${fuzzers[@]}"
+[ "$full" = no ] || check "package on a bare system" tests/package/bare_system.sh
 headline "form"
 check "clang-format" format_is_right
 check "clang-tidy" tidy_is_clean
