@@ -72,7 +72,7 @@ std::string address_of(const fs::path& path) {
 std::string link_to_report(const fs::path& folder, const fs::path& page_folder) {
   std::error_code error;
   if (!fs::is_regular_file(folder / "report.html", error)) return {};
-  const fs::path from = fs::weakly_canonical(fs::absolute(page_folder));
+  const fs::path from = fs::weakly_canonical(page_folder);
   const fs::path to = fs::weakly_canonical(fs::absolute(folder)) / "report.html";
   return address_of(to.lexically_relative(from));
 }
@@ -153,12 +153,13 @@ void write_review(const std::vector<fs::path>& folders, const fs::path& page, bo
                   const Progress& progress) {
   const std::vector<fs::path> results = find_results(folders);
   check_place(page, replace);
+  const fs::path page_folder = fs::absolute(page).parent_path();
   std::vector<ReviewItem> items;
   std::set<std::string> taken;
   for (const fs::path& folder : results) {
     progress.report("read",
                     static_cast<double>(items.size()) / static_cast<double>(results.size()));
-    items.push_back(read_item(folder, page.parent_path(), name_for(folder, taken)));
+    items.push_back(read_item(folder, page_folder, name_for(folder, taken)));
   }
   progress.report("read", 1);
   put_in_place(page, review_page(items));

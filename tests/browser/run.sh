@@ -22,6 +22,7 @@ if [ -z "$chromium" ]; then
 fi
 
 mkdir -p "$work"
+rm -f "$work"/*.mjs
 cp "$here"/*.mjs "$here/package.json" "$here/.npmrc" "$work/"
 if ! cmp -s "$here/package-lock.json" "$work/installed.lock"; then
   rm -rf "$work/node_modules"

@@ -141,6 +141,15 @@ TEST_F(WriteReview, LinksFromThePageToTheReports) {
   EXPECT_TRUE(has(page, "data:image/webp;base64,"));
 }
 
+TEST_F(WriteReview, TakesAPageWithoutAFolder) {
+  put(folder_.path() / "a");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path());
+  EXPECT_NO_THROW(write_review({"a"}, "review.html", false, Progress()));
+  fs::current_path(before);
+  EXPECT_TRUE(has(read_file(folder_.path() / "review.html", 1 << 20), R"(href="a/report.html")"));
+}
+
 TEST_F(WriteReview, ReplacesAPageOnlyWhenTold) {
   const fs::path here = folder_.path();
   put(here / "a");
