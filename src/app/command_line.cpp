@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/annealing_options.h"
+#include "app/bench_options.h"
 #include "app/evaluate_options.h"
 #include "app/shell_help.h"
 #include "app/synthesize_options.h"
@@ -194,6 +195,13 @@ CLI::App* add_doctor(CLI::App& app, DoctorArguments& a) {
   return doctor;
 }
 
+CLI::App* add_bench(CLI::App& app, BenchArguments& a) {
+  CLI::App* bench = app.add_subcommand("bench", "Show how fast this program is on this machine");
+  add_bench_options(*bench, a);
+  add_speech(*bench, a.speech);
+  return bench;
+}
+
 struct ShellHelp {
   std::string shell;
 };
@@ -332,6 +340,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   KeyArguments key;
   ConfigArguments config;
   DoctorArguments doctor;
+  BenchArguments bench;
   CLI::App app("Finds the flat dimensions of garments on 3D scans of dressed people.", "regarment");
   app.require_subcommand(1);
   app.set_version_flag("--version", "regarment " + version());
@@ -348,6 +357,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* key_app = add_key(app, key);
   CLI::App* config_app = add_config(app, config);
   CLI::App* doctor_app = add_doctor(app, doctor);
+  CLI::App* bench_app = add_bench(app, bench);
   ShellHelp shell;
   CLI::App* completion_app = add_completion(app, shell);
   CLI::App* manual_app = add_manual(app);
@@ -380,6 +390,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == key_app) return check_key(key), key;
   if (used() == config_app) return config;
   if (used() == doctor_app) return doctor;
+  if (used() == bench_app) return check_bench(bench), bench;
   if (used() == completion_app) return TextAnswer{completion_script(app, shell.shell)};
   if (used() == manual_app) return TextAnswer{manual_page(app, version())};
   return templates;

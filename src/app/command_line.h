@@ -109,15 +109,26 @@ struct TemplatesArguments {
   std::vector<std::string> at;  // NAME=CM: with --json, the flat pattern at these dimensions
 };
 
+/// regarment bench [SCAN]
+struct BenchArguments {
+  Speech speech;
+  std::optional<std::filesystem::path> scan;  // none: a person is made
+  std::vector<std::string> garments;          // outermost first; of a person that is made as well
+  std::optional<std::filesystem::path> ground_truth, out;
+  bool force = false, annealing = false;
+  int repeats = 5;
+  double most_vertices = 1e6;
+};
+
 /// --help and --version: an answer that needs no work.
 struct TextAnswer {
   std::string text;
 };
 
-using Command =
-    std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
-                 ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
-                 WorkerArguments, KeyArguments, ConfigArguments, DoctorArguments, TextAnswer>;
+using Command = std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
+                             ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
+                             WorkerArguments, KeyArguments, ConfigArguments, DoctorArguments,
+                             BenchArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

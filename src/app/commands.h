@@ -32,6 +32,9 @@ void run_review(const ReviewArguments& arguments, Console& console);
 /// Draws each mesh from four sides into NAME-SIDE.png. Says the files.
 void run_render(const RenderArguments& arguments, Console& console);
 
+/// Measures how fast this program is. Says a table, or it as JSON.
+void run_bench(const BenchArguments& arguments, Console& console);
+
 /// Lists the templates, or shows one with its measurements, bounds and drawing.
 void run_templates(const TemplatesArguments& arguments, Console& console);
 

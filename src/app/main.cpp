@@ -54,6 +54,10 @@ struct Run {
     Console console(arguments.speech, stop);
     run_render(arguments, console);
   }
+  void operator()(const BenchArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_bench(arguments, console);
+  }
   void operator()(const TemplatesArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_templates(arguments, console);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "closest_point_rivals.h"
+#include "bench/closest_point_rivals.h"
 
 namespace regarment {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 #include <nanoflann.hpp>
 
-#include "closest_point_rivals.h"
+#include "bench/closest_point_rivals.h"
 
 namespace regarment {
 namespace {

@@ -11,7 +11,7 @@
 
 namespace regarment {
 
-/// One question of the benchmark: what is nearest to `point` and faces as `normal` does.
+/// One question of a benchmark: what is nearest to `point` and faces as `normal` does.
 struct Question {
   Vec3 point;
   Vec3 normal;  // unit
@@ -43,5 +43,16 @@ double thread_seconds();
 
 /// Unit normal of each triangle; zero for one without area.
 std::vector<Vec3> face_normals(const Mesh& mesh);
+
+/// Halves the longest edges of all triangles, a triangle at a time, until there are `least`.
+/// Neighbours split a shared edge at the same point, so the surface stays the same and closed
+/// enough for a nearest point. The mesh has normals, or none.
+void subdivide(Mesh& mesh, std::size_t least);
+
+/// Points `distance` (m) in front of and behind random places of the surface, as its normal points.
+std::vector<Question> ask_near(const Mesh& mesh, double distance, std::size_t count);
+
+/// The same in an order in which neighbours follow each other, as the particles of a garment do.
+std::vector<Question> in_order(const std::vector<Question>& questions);
 
 }  // namespace regarment

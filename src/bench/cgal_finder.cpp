@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "closest_point_rivals.h"
+#include "bench/closest_point_rivals.h"
 
 namespace regarment {
 namespace {
