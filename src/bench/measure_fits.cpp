@@ -27,7 +27,7 @@ constexpr double kMemory = 1024;                                       // MiB
 constexpr double kLarge = 9e5;                                         // vertices
 
 struct FitTimes {
-  double wall = 0;
+  double wall = 0, processor = 0;        // s
   std::map<std::string, double> stages;  // s
   std::optional<double> error_cm;        // mean over the dimensions whose truth is given
 };
@@ -40,6 +40,16 @@ std::optional<double> mean_error(const Json& result) {
         sum += std::abs(m.at("error_cm").get<double>()), n += 1;
   if (n == 0) return std::nullopt;
   return sum / n;
+}
+
+/// Of all processes that have been waited for.
+double child_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 FitTimes fit_once(const BenchOptions& options, const fs::path& scan, const std::string& method,
@@ -58,12 +68,13 @@ FitTimes fit_once(const BenchOptions& options, const fs::path& scan, const std::
     words.insert(words.end(), {"--garment", garment});
   if (scan == options.scan) words.insert(words.end(), options.truth.begin(), options.truth.end());
   ChildEnd end;
+  const double before = child_seconds();
   run_children(
       {words}, {}, [&](std::size_t, const ChildEnd& how) { end = how; },
       [&] { progress.report("fits", 0.5); });
   if (end.status != 0) throw Error(end.status, "bench: a fit ended with: " + end.last_line);
   const Json result = Json::parse(read_file(out / "result.json", kMostJson));
-  FitTimes times{end.seconds, {}, mean_error(result)};
+  FitTimes times{end.seconds, child_seconds() - before, {}, mean_error(result)};
   double all = 0;
   for (const auto& [stage, seconds] : result.at("timing_s").items()) {
     if (stage == "total") continue;
@@ -168,7 +179,13 @@ void measure_fits(const BenchOptions& options, const Progress& progress, Bench& 
     all.other_value = other.wall, error.other_value = other.error_cm;
   }
   const double first = all.value;
+  std::vector<double> processor;
+  for (const FitTimes& fit : fits) processor.push_back(fit.processor);
   bench.rows.push_back(std::move(all));
+  bench.rows.push_back({.group = "A fit",
+                        .name = "processor time of it, all threads",
+                        .value = median(processor),
+                        .unit = "s"});
   add_stages(fits, bench);
   if (fits[0].error_cm) bench.rows.push_back(std::move(error));
   bench.rows.push_back({.group = "A fit",
