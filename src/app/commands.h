@@ -38,7 +38,7 @@ void run_bench(const BenchArguments& arguments, Console& console);
 /// Lists the templates, or shows one with its measurements, bounds and drawing.
 void run_templates(const TemplatesArguments& arguments, Console& console);
 
-/// Runs jobs of the store until it is stopped.
+/// Runs jobs of the store until it is stopped, which is how it ends well: status 0.
 void run_worker_command(const WorkerArguments& arguments, Console& console, const StopSignal& stop);
 
 /// Adds, lists or revokes API keys. Says a new key, which nobody can find out again.

@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstring>
 #include <thread>
 
 #include "base/error.h"

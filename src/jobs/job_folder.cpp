@@ -25,7 +25,7 @@ void make_folder(const fs::path& folder) {
 }
 
 // Only names of the form we give become part of a path.
-const std::string checked(std::string_view id) {
+std::string checked(std::string_view id) {
   if (!is_job_id(id)) throw InvalidInput("'" + one_line(id, 60) + "' is no job id");
   return std::string(id);
 }
@@ -60,7 +60,7 @@ fs::path JobFolders::result(std::string_view id, std::int64_t token) const {
 
 fs::path JobFolders::scan(std::string_view id) const {
   for (const char* ending : kScanEndings) {
-    const fs::path file = job(id) / ("scan." + std::string(ending));
+    fs::path file = job(id) / ("scan." + std::string(ending));
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return file;
   }
@@ -68,7 +68,7 @@ fs::path JobFolders::scan(std::string_view id) const {
 }
 
 fs::path JobFolders::begin_upload(std::string_view id) const {
-  const fs::path folder = incoming(id);
+  fs::path folder = incoming(id);
   make_folder(folder);
   return folder;
 }

@@ -32,7 +32,7 @@ Batch batch_of(SqliteDatabase& database, const SqliteStatement& row) {
 }  // namespace
 
 Batch SqliteJobStore::create_batch(std::string_view name, std::string_view owner) {
-  const Batch batch{new_job_id(), std::string(name), std::string(owner), time_of(now()), {}};
+  Batch batch{new_job_id(), std::string(name), std::string(owner), time_of(now()), {}};
   const Lock lock(write_mutex_);
   SqliteTransaction transaction(writer_);
   SqliteStatement(writer_, "INSERT INTO batches (id, name, owner, created) VALUES (?, ?, ?, ?)",
