@@ -20,7 +20,7 @@ constexpr milliseconds kLook{100};        // between two looks at the child
 constexpr milliseconds kTellEvery{500};   // between two notes of progress in one stage
 constexpr milliseconds kStoreRetry{200};  // while the store is away
 constexpr std::size_t kLongestMessage = 500;
-constexpr int kStartFailed = 127;
+constexpr int kNoGarment = 4, kStartFailed = 127;  // exit statuses
 
 // What `main` writes before a failure.
 std::string without_name(std::string line) {
@@ -88,7 +88,11 @@ class Attempt {
 
   AttemptEnd end_of(ChildEnd end) const {
     end.last_line = last_words_;
-    return attempt_end(end, options_);
+    // An evaluation some of whose scans came to nothing says so on its page.
+    std::error_code ignored;
+    const bool told = job_.kind == JobKind::Evaluate && end.status == kNoGarment &&
+                      std::filesystem::exists(folders_.result(job_.id, token_), ignored);
+    return told ? AttemptEnd{} : attempt_end(end, options_);
   }
 
   void tell(const ProgressLine& line) {
@@ -224,7 +228,7 @@ AttemptEnd attempt_end(const ChildEnd& end, const WorkerOptions& options) {
       return {Kind::Failed, {"bad_request", say("the options contradict each other")}};
     case 3:
       return {Kind::Failed, {"unreadable_scan", say("the scan cannot be read")}};
-    case 4:
+    case kNoGarment:
       return {Kind::Failed, {"no_garment", say("the garment was not found")}};
     case 75: {
       const bool memory = end.last_line.starts_with("out of memory");

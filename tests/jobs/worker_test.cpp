@@ -211,6 +211,23 @@ TEST_F(WorkerTest, RefitsTheResultOfAnotherJob) {
   EXPECT_EQ(run(queue(again)).error->code, "bad_request");
 }
 
+TEST_F(WorkerTest, KeepsAnEvaluationWhoseScansPartlyFailed) {
+  program("succeed \"$@\"; exit 4");
+  NewJob job;
+  job.kind = JobKind::Evaluate;
+  const std::string id = queue(job);
+  EXPECT_EQ(run(id).error->code, "unreadable_scan");  // it has no table
+  store_->requeue(id);
+  std::ofstream(folders_.job(id) / "truth.csv") << "scan\n";
+  const Job done = run(id);
+  ASSERT_EQ(done.state, JobState::Succeeded);
+  std::ifstream words(folders_.result(done) / "words");
+  std::string command, table;
+  words >> command >> table;
+  EXPECT_EQ(command, "evaluate");
+  EXPECT_EQ(table, (folders_.job(id) / "truth.csv").string());
+}
+
 TEST_F(WorkerTest, RefusesAJobWithoutAScanOrWithWrongOptions) {
   program("succeed");
   const std::string bare = queue();
