@@ -10,7 +10,7 @@
 namespace regarment {
 namespace {
 
-constexpr double kLeft = 48, kRight = 14, kTop = 12, kBottom = 40;
+constexpr double kLeft = 48, kRight = 14, kTop = 24, kBottom = 40;
 constexpr double kShownErrors = 0.98;
 
 // Where values lie on a plot.
@@ -51,7 +51,7 @@ std::string axes(const Frame& frame, const std::string& across, const std::strin
     words += text(frame.x(tick.value), kPlotHeight - kBottom + 17, "x", tick.text);
   }
   words += text(0.5 * (kLeft + kPlotWidth - kRight), kPlotHeight - 6, "x", across);
-  return path("grid", grid) + path("ends", ends) + words + text(0, kTop - 2, "name", up);
+  return path("grid", grid) + path("ends", ends) + words + text(0, 10, "name", up);
 }
 
 std::string level(const Frame& frame, double value, const std::string& kind) {

@@ -15,6 +15,7 @@ export const pages = {
   layered: path.join(folder, 'evaluation/fits/layered-1.mesh/report.html'),
   evaluation: path.join(folder, 'evaluation/evaluation.html'),
   review: path.join(folder, 'review.html'),
+  example: path.join(process.env.EXAMPLES, '../evaluation/scans-joint.html'),
   paper: process.env.PAPER,
 };
 export const fromDisk = (file) => pathToFileURL(file).href;

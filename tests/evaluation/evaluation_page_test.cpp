@@ -81,6 +81,7 @@ TEST(EvaluationPage, ShowsTheWorstScanFirstAndItsPicture) {
 
 TEST(EvaluationPage, ShowsAtMostTwelve) {
   std::vector<EvaluatedScan> scans;
+  scans.reserve(30);
   for (int i = 0; i < 30; ++i) scans.push_back(skirt_scan("s" + std::to_string(i), {0.1 * i}));
   const std::vector<std::size_t> worst = worst_scans(evaluation_of(scans));
   ASSERT_EQ(worst.size(), 12u);
