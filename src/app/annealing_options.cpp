@@ -48,6 +48,16 @@ constexpr Switch kSwitches[] = {
      "no rough search, no hesitation"},
 };
 
+std::vector<std::pair<std::string, std::string>> with_values(const AnnealingArguments& a) {
+  return {{"runs", std::to_string(a.runs)},
+          {"evaluations", std::to_string(a.evaluations)},
+          {"segment-distance", number(a.segment_distance_mm)},
+          {"attraction", a.attraction},
+          {"normal-angle", number(a.normal_angle_deg)},
+          {"layer-attenuation", number(a.layer_attenuation)},
+          {"drape-from", a.drape_from}};
+}
+
 }  // namespace
 
 void add_annealing_options(CLI::App& fit, AnnealingArguments& a) {
@@ -105,21 +115,19 @@ void apply_annealing(const AnnealingArguments& a, AnalyzeOptions& how) {
 }
 
 std::vector<std::pair<std::string, std::string>> chosen_annealing(const AnnealingArguments& a) {
-  const AnnealingArguments usual;
+  const auto of_these = with_values(a), usual = with_values({});
   std::vector<std::pair<std::string, std::string>> out;
-  const auto add = [&](const char* name, bool chosen, const std::string& value) {
-    if (chosen) out.emplace_back(name, value);
-  };
-  add("runs", a.runs != usual.runs, std::to_string(a.runs));
-  add("evaluations", a.evaluations != usual.evaluations, std::to_string(a.evaluations));
-  add("segment-distance", a.segment_distance_mm != usual.segment_distance_mm,
-      number(a.segment_distance_mm));
-  add("attraction", a.attraction != usual.attraction, a.attraction);
-  add("normal-angle", a.normal_angle_deg != usual.normal_angle_deg, number(a.normal_angle_deg));
-  add("layer-attenuation", a.layer_attenuation != usual.layer_attenuation,
-      number(a.layer_attenuation));
-  add("drape-from", a.drape_from != usual.drape_from, a.drape_from);
-  for (const Switch& one : kSwitches) add(one.name, a.*one.member == one.thrown, "");
+  for (std::size_t i = 0; i < of_these.size(); ++i)
+    if (of_these[i] != usual[i]) out.push_back(of_these[i]);
+  for (const Switch& one : kSwitches)
+    if (a.*one.member == one.thrown) out.emplace_back(one.name, "");
+  return out;
+}
+
+std::vector<std::pair<std::string, std::string>> every_annealing(const AnnealingArguments& a) {
+  auto out = with_values(a);
+  for (const Switch& one : kSwitches)
+    out.emplace_back(one.name, a.*one.member == one.thrown ? "yes" : "no");
   return out;
 }
 

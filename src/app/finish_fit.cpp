@@ -1,5 +1,7 @@
 #include "app/finish_fit.h"
 
+#include <algorithm>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -36,6 +38,27 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
   return out;
 }
 
+// Every option with the value it had, chosen or not.
+std::vector<std::pair<std::string, std::string>> every_option(const FitArguments& a) {
+  std::vector<std::pair<std::string, std::string>> out = {{"method", a.method},
+                                                          {"seed", std::to_string(a.seed)},
+                                                          {"units", a.units},
+                                                          {"up", a.up},
+                                                          {"front", a.front}};
+  const std::map<std::string, std::string> none = {
+      {"fix", "none"},       {"hint", "none"},         {"fabric", "not said"},
+      {"placement", "none"}, {"ground-truth", "none"}, {"ground-truth-labels", "none"}};
+  const auto chosen = chosen_options(a);
+  for (const auto& [name, value] : none) {
+    const auto given = std::find_if(chosen.begin(), chosen.end(),
+                                    [&](const auto& option) { return option.first == name; });
+    out.emplace_back(name, given == chosen.end() ? value : given->second);
+  }
+  if (a.method == "annealing")
+    for (auto& option : every_annealing(a.annealing)) out.push_back(std::move(option));
+  return out;
+}
+
 }  // namespace
 
 int thread_count(const FitArguments& a) {
@@ -49,6 +72,7 @@ ReportOptions report_options(const FitArguments& a) {
   ReportOptions options;
   options.seed = a.seed;
   options.options = chosen_options(a);
+  options.settings = every_option(a);
   options.scan_path = a.scan.string();
   options.threads = thread_count(a);
   options.timing = a.timing;

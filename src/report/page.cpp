@@ -6,6 +6,7 @@
 #include "report/content_policy.h"
 #include "report/embedded.h"
 #include "report/page_parts.h"
+#include "report/size_json_ld.h"
 #include "report/view3d.h"
 
 namespace regarment {
@@ -47,6 +48,7 @@ std::string report_page(const Result& result, const PageParts& parts) {
   for (const std::string section : kSections) {
     page.set(section + "_html", fill_template(embedded_text(section + ".html"), page));
   }
+  page.set("sizes", size_json_ld(result));
   const std::string style = joined(kStyles), script = joined(kScripts);
   page.set("style", style);
   page.set("script", script);

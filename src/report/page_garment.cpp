@@ -145,6 +145,10 @@ Gaps show_edge(const ResultGarment& garment, const ResultEdge& edge) {
   row.set("coverage", fixed_text(std::floor(edge.coverage * 100.0), 0));
   row.set("length", cm(edge.length_cm));
   row.set("height", cm(edge.height_cm));
+  row.set_maybe("flat", cm(edge.flat_cm));
+  row.set_maybe("beside", cm(edge.beside_cm));
+  const auto ease = edge.ease_cm();
+  row.set_maybe("ease", ease ? signed_cm_text(*ease * kCentimetre) : "");
   row.set_maybe("rivals", rivals_in_words(garment, edge));
   return row;
 }

@@ -98,6 +98,16 @@ void show_times(const Result& result, Gaps& page) {
   page.set("times", std::move(rows));
 }
 
+// Every option with the value it had; of a result that has not recorded them, those chosen.
+void add_options(const Result& result, std::vector<Gaps>& settings) {
+  const auto chosen = [&](const std::string& option) {
+    return std::any_of(result.options.begin(), result.options.end(),
+                       [&](const auto& given) { return given.first == option; });
+  };
+  for (const auto& [name, value] : result.settings.empty() ? result.options : result.settings)
+    settings.push_back(fact("--" + name, value, chosen(name) ? "as given" : "default"));
+}
+
 }  // namespace
 
 void show_scan(const Result& result, Gaps& page) {
@@ -152,7 +162,7 @@ void show_settings(const Result& result, Gaps& page) {
                                 fact("Seed", std::to_string(result.seed))};
   if (result.refit) settings.push_back(fact("Scan", "as an earlier fit prepared and stored it"));
   if (result.threads) settings.push_back(fact("Threads", std::to_string(*result.threads)));
-  for (const auto& [name, value] : result.options) settings.push_back(fact("--" + name, value));
+  add_options(result, settings);
   settings.push_back(fact("SHA-256 of the scan", result.scan.sha256));
   page.set("settings", std::move(settings));
   page.set("command", result.command);

@@ -118,6 +118,8 @@ ResultEdge read_edge(const Json& j) {
   ResultEdge e{j.at("name"),     j.at("evidence"),  j.at("standard_error_mm"),
                j.at("coverage"), j.at("length_cm"), j.at("height_cm")};
   for (const Json& r : j.at("rivals")) e.rivals.push_back({r.at("height_cm"), r.at("weight")});
+  e.flat_cm = optional_number(j, "flat_cm");
+  e.beside_cm = optional_number(j, "beside_cm");
   return e;
 }
 
@@ -177,6 +179,8 @@ void read_program(const Json& j, Result& r) {
   j.at("command").get_to(r.command);
   j.at("seed").get_to(r.seed);
   for (const auto& [name, value] : j.at("options").items()) r.options.emplace_back(name, value);
+  if (j.contains("settings"))
+    for (const auto& [name, value] : j.at("settings").items()) r.settings.emplace_back(name, value);
   r.refit = j.value("refit", false);
   if (j.contains("threads")) r.threads = j.at("threads").get<int>();
 }

@@ -14,6 +14,7 @@
 #include "report/measurements_csv.h"
 #include "report/output_folder.h"
 #include "report/page.h"
+#include "report/size_json_ld.h"
 #include "report/view3d.h"
 
 namespace regarment {
@@ -84,6 +85,7 @@ ReportFiles with_pages(ReportFiles files, const Analysis& analysis,
   result.figures = pictures.figures;
   files["measurements.csv"] = measurements_csv(result);
   files["result.json"] = result_json(result);
+  files["sizes.jsonld"] = size_json_ld(result) + "\n";
   // By way of the file, as `regarment report` does: the page cannot know more than the file.
   files["report.html"] = report_page(parse_result(files["result.json"], "result.json"),
                                      parts_of(files, pictures, analysis.garments.size()));

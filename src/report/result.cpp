@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/beside_edge.h"
 #include "base/error.h"
 #include "base/one_line.h"
 #include "report/text.h"
@@ -71,7 +72,23 @@ ResultMeasurement result_measurement(const Measurement& m, const GarmentTemplate
   return out;
 }
 
-ResultEdge result_edge(const EdgeCurve& edge) {
+/// Of an edge whose girth the template states by dimensions that were seen; others are not
+/// measured.
+std::optional<double> flat_length(const GarmentAnalysis& garment, const GarmentTemplate& of,
+                                  const std::string& edge) {
+  for (const Observation& girth : of.observations()) {
+    if (girth.kind != Observation::Kind::Girth || girth.edge != edge) continue;
+    const bool seen = std::all_of(
+        garment.measurements.begin(), garment.measurements.end(), [&](const Measurement& m) {
+          return m.observable || !of.gives(girth.equals, m.name, garment.dimensions);
+        });
+    if (seen) return of.evaluate(girth.equals, garment.dimensions);
+  }
+  return std::nullopt;
+}
+
+ResultEdge result_edge(const Analysis& analysis, const GarmentAnalysis& garment,
+                       const GarmentTemplate& of, const EdgeCurve& edge) {
   ResultEdge out;
   out.name = edge.name;
   out.evidence = edge.evidence;
@@ -81,12 +98,14 @@ ResultEdge result_edge(const EdgeCurve& edge) {
   out.height_cm = cm(mean_height(edge.points));
   for (const EdgeRival& rival : edge.rivals)
     out.rivals.push_back({cm(rival.height), finite(rival.weight, "a weight")});
+  out.flat_cm = cm(flat_length(garment, of, edge.name));
+  out.beside_cm = cm(girth_beside(analysis, garment, edge));
   return out;
 }
 
 // `range`: of the colours, m, one for all garments.
-ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTemplate& of,
-                             double range) {
+ResultGarment result_garment(const Analysis& analysis, const GarmentAnalysis& garment,
+                             const GarmentTemplate& of, double range) {
   ResultGarment out;
   out.template_name = garment.template_name;
   out.title = of.title();
@@ -94,7 +113,8 @@ ResultGarment result_garment(const GarmentAnalysis& garment, const GarmentTempla
   for (const Measurement& m : garment.measurements) {
     out.measurements.push_back(result_measurement(m, of));
   }
-  for (const EdgeCurve& edge : garment.edges) out.edges.push_back(result_edge(edge));
+  for (const EdgeCurve& edge : garment.edges)
+    out.edges.push_back(result_edge(analysis, garment, of, edge));
   for (const SideDifference& d : garment.asymmetry)
     out.asymmetry.push_back({d.dimension, d.sides == Sides::LeftRight ? "left_right" : "front_back",
                              cm(d.difference), cm(d.spread)});
@@ -206,6 +226,11 @@ std::optional<double> ResultMeasurement::error_cm() const {
   return rounded(value_cm - *truth_cm, kDigits);
 }
 
+std::optional<double> ResultEdge::ease_cm() const {
+  if (!flat_cm || !beside_cm) return std::nullopt;
+  return rounded(*flat_cm - *beside_cm, kDigits);
+}
+
 Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>& templates,
                    const ReportOptions& options) {
   check_sizes(analysis, templates);
@@ -216,11 +241,13 @@ Result make_result(const Analysis& analysis, const std::vector<GarmentTemplate>&
   out.seed = options.seed;
   out.refit = options.refit;
   out.options = options.options;
-  for (auto& [name, value] : out.options) value = one_line(value, 4096);
+  out.settings = options.settings;
+  for (auto* list : {&out.options, &out.settings})
+    for (auto& [name, value] : *list) value = one_line(value, 4096);
   out.scan = result_scan(analysis, options);
   const double range = deviation_range(merged_deviation(analysis));
   for (std::size_t i = 0; i < analysis.garments.size(); ++i) {
-    out.garments.push_back(result_garment(analysis.garments[i], templates[i], range));
+    out.garments.push_back(result_garment(analysis, analysis.garments[i], templates[i], range));
   }
   out.command = command_line(out, options);
   count_labels(analysis, out);

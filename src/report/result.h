@@ -18,6 +18,8 @@ struct ReportOptions {
   std::uint64_t seed = 1;
   // Options given on the command line, name without dashes and value ("units", "mm").
   std::vector<std::pair<std::string, std::string>> options;
+  // Every option there is for this method, chosen or not, with the value it had.
+  std::vector<std::pair<std::string, std::string>> settings;
   // Paths as given, and how many threads ran: written only with `timing`.
   std::string scan_path;
   int threads = 1;
@@ -58,6 +60,11 @@ struct ResultEdge {
   std::string name, evidence;
   double standard_error_mm = 0, coverage = 0, length_cm = 0, height_cm = 0;
   std::vector<ResultRival> rivals = {};  // most probable first
+  // Of the flat garment, where it is measured; and of the person 2 cm beyond the edge, where that
+  // is seen all round.
+  std::optional<double> flat_cm = {}, beside_cm = {};
+
+  std::optional<double> ease_cm() const;  // flat less beside
 };
 
 /// How far a garment's sides differ.
@@ -100,7 +107,7 @@ struct StoredFigure {
 struct Result {
   std::string version, method, command;
   std::uint64_t seed = 1;
-  std::vector<std::pair<std::string, std::string>> options;
+  std::vector<std::pair<std::string, std::string>> options, settings;
   std::optional<int> threads;
   bool refit = false;              // made from the state of an earlier fit
   std::string fabric = "unknown";  // as a person said

@@ -23,6 +23,7 @@ Json from_pairs(const auto& pairs) {
 Json program_json(const Result& r) {
   Json out = {{"name", "regarment"}, {"version", r.version}, {"method", r.method},
               {"seed", r.seed},      {"command", r.command}, {"options", from_pairs(r.options)}};
+  if (!r.settings.empty()) out["settings"] = from_pairs(r.settings);
   if (r.refit) out["refit"] = true;
   if (r.threads) out["threads"] = *r.threads;
   return out;
@@ -95,6 +96,9 @@ Json edge_json(const ResultEdge& e) {
           {"standard_error_mm", e.standard_error_mm},
           {"coverage", e.coverage},
           {"length_cm", e.length_cm},
+          {"flat_cm", maybe(e.flat_cm)},
+          {"beside_cm", maybe(e.beside_cm)},
+          {"ease_cm", maybe(e.ease_cm())},
           {"height_cm", e.height_cm},
           {"rivals", rivals}};
 }

@@ -31,7 +31,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 }
 
 TEST(Page, RequestsNothingAndRunsOnlyItsOwnScript) {
-  const std::string page = page_of(example_result());
+  const std::string page = without_sizes(page_of(example_result()));
   EXPECT_EQ(count(page, "<style"), 1u);
   EXPECT_EQ(count(page, "<script"), 1u);
   const std::string policy =
@@ -52,7 +52,7 @@ TEST(Page, EscapesEverythingFromOutside) {
   result.warnings = {evil};
   result.scan.findings = {{"floor", Severity::Advice, evil, evil, evil}};
   result.command = evil;
-  result.options = {{evil, evil}};
+  result.settings = {{evil, evil}};
   result.landmarks_cm = {{evil, 1.0}};
   result.garments[0].title = evil;
   result.garments[0].template_name = evil;
@@ -60,7 +60,7 @@ TEST(Page, EscapesEverythingFromOutside) {
   result.garments[0].measurements[0].how_to_measure = evil;
   result.garments[0].edges[0].evidence = evil;
   const std::string page = page_of(result);
-  EXPECT_EQ(count(page, "<script"), 1u);  // the page's own
+  EXPECT_EQ(count(page, "<script"), 2u);  // the page's own, and its data
   EXPECT_GE(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;&amp;"), 11u);
 }
 
@@ -105,6 +105,35 @@ TEST(Page, TellsHowLeftAndRightDiffer) {
                   "31.5&nbsp;cm, the right one 32.2&nbsp;cm: −0.8&nbsp;cm; the left "
                   "one lies higher by 1.5&nbsp;cm"),
             1u);
+}
+
+// By hand: a waist of 78.4 cm beside a girth of 75.9.
+TEST(Page, TellsEaseWhereThePersonIsSeenBesideAnEdge) {
+  const Result result = example_result();
+  const std::string page = report_page(result, bare_parts(result));
+  EXPECT_NE(page.find("data-name=\"Person beside it, cm\">75.9</td>"), std::string::npos);
+  EXPECT_NE(page.find("data-name=\"Ease, cm\">+2.5</td>"), std::string::npos);
+  EXPECT_NE(page.find("<span class=\"none\">not seen</span>"), std::string::npos);  // the hem
+}
+
+TEST(Page, ListsEveryOptionAndWhichWereGiven) {
+  Result result = example_result();
+  result.options = {{"units", "mm"}};
+  result.settings = {{"method", "direct"}, {"units", "mm"}};
+  const std::string page = report_page(result, bare_parts(result));
+  EXPECT_NE(page.find("--method</dt><dd>direct<span class=\"note\">default</span>"),
+            std::string::npos);
+  EXPECT_NE(page.find("--units</dt><dd>mm<span class=\"note\">as given</span>"), std::string::npos);
+}
+
+TEST(Page, LinksWhatStandsBesideIt) {
+  const Result result = example_result();
+  const std::string page = report_page(result, bare_parts(result));
+  for (const char* name :
+       {"pattern-1.pdf", "pattern-1.svg", "pattern-1.dxf", "pattern-1.val", "pattern-1.json",
+        "garment-1.glb", "garment-1.obj", "garment-1.ply", "segmented.glb", "segmented.ply",
+        "result.json", "measurements.csv", "sizes.jsonld"})
+    EXPECT_NE(page.find("href=\"" + std::string(name) + "\""), std::string::npos) << name;
 }
 
 TEST(Page, IsWellFormed) {
@@ -207,7 +236,7 @@ TEST(Page, ShowsSketchesAsPicturesThatCannotRun) {
   PageParts parts = bare_parts(result);
   parts.sketches = {"<svg><script>alert(1)</script></svg>"};
   const std::string page = report_page(result, parts);
-  EXPECT_EQ(count(page, "<script"), 1u);  // the page's own
+  EXPECT_EQ(count(page, "<script"), 2u);  // the page's own, and its data
   EXPECT_EQ(count(page, "src=\"data:image/svg+xml;base64,PHN2Zz48c2NyaXB0"), 1u);
   parts.sketches = {"alert(1)"};
   EXPECT_THROW(report_page(result, parts), ReadError);

@@ -43,7 +43,7 @@ TEST_F(ReportFolder, HoldsTheFilesOfTheContract) {
                 "borders.json", "filled.ply", "garment-1.glb", "garment-1.obj", "garment-1.ply",
                 "labels.u8", "measurements.csv", "pattern-1.dxf", "pattern-1.json", "pattern-1.pdf",
                 "pattern-1.svg", "pattern-1.val", "pictures/sketch-1.svg", "pictures/view.json",
-                "report.html", "result.json", "segmented.glb", "segmented.ply"}));
+                "report.html", "result.json", "segmented.glb", "segmented.ply", "sizes.jsonld"}));
 }
 
 TEST_F(ReportFolder, LabelsAreOneBytePerVertexInOrder) {

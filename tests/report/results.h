@@ -45,6 +45,9 @@ inline ResultGarment skirt_result() {
   skirt.silhouette = 5.25;
   skirt.edges = {{"waist", "step", 2.4, 0.93, 80.1, 101.5, {{105.75, 0.3}, {98.0, 0.125}}},
                  {"hem", "drop", 0.8, 1.0, 112.4, 47.9}};
+  skirt.edges[0].flat_cm = 78.4;
+  skirt.edges[0].beside_cm = 75.9;
+  skirt.edges[1].flat_cm = 112.5;
   skirt.asymmetry = {{"length", "left_right", -1.5, 0.75}};
   skirt.mean_distance_m = 0.0012;
   skirt.mean_stretch = 1.004;
@@ -57,6 +60,7 @@ inline Result example_result() {
   r.version = "0.1.0";
   r.method = "direct";
   r.command = "regarment fit skirt-1.mesh.ply --garment skirt --method direct --seed 1 --out DIR";
+  r.settings = {{"method", "direct"}, {"seed", "1"}, {"units", "auto"}};
   r.fabric = "jersey";
   r.scan.file = "skirt-1.mesh.ply";
   r.scan.sha256 = std::string(64, 'a');
@@ -86,6 +90,14 @@ inline PageParts bare_parts(const Result& result) {
   parts.evaluations.resize(result.garments.size());
   parts.sketches.assign(result.garments.size(), "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>");
   return parts;
+}
+
+/// A page without its sizes for programs: data, which runs nothing; the addresses of schema.org in
+/// it are names.
+inline std::string without_sizes(std::string page) {
+  const auto begin = page.find("<script type=\"application/ld+json\">");
+  const auto end = page.find("</script>", begin) + std::string("</script>").size();
+  return page.erase(begin, end - begin);
 }
 
 }  // namespace regarment
