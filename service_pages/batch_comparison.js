@@ -15,7 +15,11 @@ export const readCsv = (text) => {
   return (body ?? []).map((row) => Object.fromEntries(head.map((name, i) => [name.trim().replace(/^\uFEFF/, ''), (row[i] ?? '').trim()])));
 };
 
-const stem = (path) => path.split(/[\\/]/).at(-1);
+// As tables of the command line name scans: a path, a file name, or a stem that may mean several.
+const means = (scan, file) => {
+  const name = scan.split(/[\\/]/).at(-1);
+  return name !== '' && (file === name || file.startsWith(`${name}.`));
+};
 
 const jobsOf = async (batch) => {
   const all = [];
@@ -30,7 +34,7 @@ const jobsOf = async (batch) => {
 };
 
 const pairsOf = (job, result, truth) => {
-  const of = truth.filter((row) => stem(row.scan) === job.name);
+  const of = truth.filter((row) => means(row.scan, job.name));
   return result.garments.flatMap((garment) => garment.measurements.flatMap((m) => {
     const row = of.find((one) => one.measurement === m.name && one.template === garment.template
       && (!one.layer || Number(one.layer) === garment.layer));

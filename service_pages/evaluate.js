@@ -8,8 +8,9 @@ form.addEventListener('submit', async (event) => {
   event.preventDefault();
   const body = new FormData();
   body.append('table', byId('table').files[0]);
-  if (byId('set-name').value.trim()) body.append('name', byId('set-name').value.trim());
-  [...byId('scans').files].forEach((file, i) => body.append(`scan-${i + 1}`, file, file.name));
+  const scans = byId('scans').files;
+  body.append('name', byId('set-name').value.trim() || `Evaluation of ${scans.length === 1 ? scans[0].name : `${scans.length} scans`}`);
+  [...scans].forEach((file, i) => body.append(`scan-${i + 1}`, file, file.name));
   const button = form.querySelector('button.main');
   button.disabled = true;
   byId('sent').hidden = false;

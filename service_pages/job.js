@@ -17,6 +17,7 @@ const kTitles = {
 const optionWords = (options) => Object.entries(options ?? {})
   .map(([name, value]) => `${name} ${typeof value === 'object' ? JSON.stringify(value) : value}`).join(', ') || 'none';
 
+const isFit = () => ['fit', 'refit'].includes(job.kind);
 const when = (time) => (time ? new Date(time).toLocaleString('en', { dateStyle: 'medium', timeStyle: 'medium' }) : '–');
 
 const showFacts = () => {
@@ -31,7 +32,7 @@ const showFacts = () => {
 };
 
 const showReview = () => {
-  byId('review-box').hidden = job.state !== 'succeeded';
+  byId('review-box').hidden = job.state !== 'succeeded' || !isFit();
   const verdict = job.review?.verdict;
   byId('review-state').className = `state ${verdict ?? 'open'}`;
   byId('review-state').textContent = verdict ?? 'none yet';
@@ -55,7 +56,7 @@ const show = (now) => {
   byId('cancel').hidden = !isOpen(job) || job.cancel_wanted;
   byId('requeue').hidden = !['failed', 'cancelled', 'dead'].includes(job.state);
   byId('delete').hidden = false;
-  byId('again').hidden = job.state !== 'succeeded' || !['fit', 'refit'].includes(job.kind);
+  byId('again').hidden = job.state !== 'succeeded' || !isFit();
   byId('correct').href = `/jobs/${job.id}/correct`;
   showFacts();
   showReview();

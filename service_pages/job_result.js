@@ -1,7 +1,8 @@
 // What a job found: its lights, pictures, measurements and files.
-import { fileAddress } from './api.js';
+import { fileAddress, get } from './api.js';
 import { checkLine, checkLines, sign } from './checks_list.js';
 import { byId, make, tellProblem } from './dom.js';
+import { evaluationTable } from './evaluation_table.js';
 import { measurementTables } from './measurement_table.js';
 import { checksOf, labelPictures, resultOf } from './results.js';
 
@@ -46,8 +47,9 @@ export const showResult = async (job) => {
   showFiles(job);
   showLinks(job, has);
   byId('glance').replaceChildren(...labelPictures(job.id, job.files));
-  if (!has('result.json')) return;
   try {
+    if (has('evaluation.json')) byId('measured').replaceChildren(evaluationTable(await get(fileAddress(job.id, 'evaluation.json'))));
+    if (!has('result.json')) return;
     const [result, checks] = await Promise.all([resultOf(job.id), checksOf(job.id)]);
     const before = job.source ? await resultOf(job.source).catch(() => undefined) : undefined;
     showVerdict(checks);
