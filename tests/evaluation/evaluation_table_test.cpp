@@ -10,7 +10,6 @@
 namespace regarment {
 namespace {
 
-namespace fs = std::filesystem;
 
 class EvaluationTable : public ::testing::Test {
  protected:
