@@ -10,7 +10,6 @@
 namespace regarment {
 namespace {
 
-
 class EvaluationTable : public ::testing::Test {
  protected:
   std::vector<EvaluationCase> read(const std::string& text, const std::string& only = "") const {
