@@ -105,6 +105,7 @@ void submit(const JobFolders& folders, JobStore& store, int jobs) {
   submit(folders, *store, plan.jobs);
   for (;;) {
     std::vector<const ChildProcess*> all;
+    all.reserve(workers.size());
     for (const auto& worker : workers) all.push_back(worker.get());
     wait_for_children(all, 20ms);
     keep();

@@ -56,8 +56,8 @@ TEST_P(JobStoreTest, AnswersAKeyUsedTwiceWithTheFirstJob) {
 }
 
 TEST_P(JobStoreTest, ListsNewestFirstPageByPage) {
-  std::vector<std::string> made;
-  for (int i = 0; i < 7; ++i) made.push_back(queue());
+  std::vector<std::string> made(7);
+  std::generate(made.begin(), made.end(), [&] { return queue(); });
   std::vector<std::string> listed;
   JobFilter filter;
   filter.limit = 3;

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 class SweepTest : public testing::Test {
  protected:
   std::string folder_of_job() {
-    const std::string id = new_job_id();
+    std::string id = new_job_id();
     std::ofstream(folders_.begin_upload(id) / "scan.ply") << "ply";
     folders_.accept_upload(id);
     return id;
