@@ -61,6 +61,7 @@ int find_note(dl_phdr_info* info, std::size_t /*size*/, void* out) {
   const auto up = [](std::size_t n) { return (n + kAlign - 1) / kAlign * kAlign; };
   for (const ElfW(Phdr) & part : std::span(info->dlpi_phdr, info->dlpi_phnum)) {
     if (part.p_type != PT_NOTE) continue;
+    // The loader tells addresses as numbers. NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* at = reinterpret_cast<const unsigned char*>(info->dlpi_addr + part.p_vaddr);
     std::span<const unsigned char> rest(at, part.p_memsz);
     while (rest.size() > sizeof(ElfW(Nhdr))) {
