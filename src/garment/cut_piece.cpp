@@ -167,6 +167,7 @@ std::vector<CutPiece> cut_pieces(const GarmentTemplate& garment, const Dimension
   if (const auto reason = why_impossible(data, dimensions))
     throw InvalidInput(garment.name() + ": these dimensions make no garment: " + *reason);
   std::vector<CutPiece> pieces;
+  pieces.reserve(data.panels.size());
   for (int p = 0; p < static_cast<int>(data.panels.size()); ++p)
     pieces.push_back(cut_piece(data, p, scope));
   return pieces;
