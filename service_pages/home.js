@@ -35,15 +35,14 @@ const look = async () => {
 
 const options = optionFields(byId('options'), kFitFields, () => { look(); });
 
+const [dropName, dropNote] = ['b', '.note'].map((part) => byId('drop-words').querySelector(part));
+const [kName, kNote] = [dropName.textContent, dropNote.textContent];
 const take = (list) => {
   files = [...list];
-  const words = byId('drop-words');
   drop.classList.toggle('full', files.length > 0);
-  if (files.length > 0) {
-    const size = bytes(files.reduce((sum, file) => sum + file.size, 0));
-    words.querySelector('b').textContent = files.length === 1 ? files[0].name : `${files.length} scans`;
-    words.querySelector('.note').textContent = `${size}; choose or drop another instead`;
-  }
+  const size = bytes(files.reduce((sum, file) => sum + file.size, 0));
+  dropName.textContent = { 0: kName, 1: files[0]?.name }[files.length] ?? `${files.length} scans`;
+  dropNote.textContent = files.length > 0 ? `${size}; choose or drop another instead` : kNote;
   look();
 };
 
@@ -94,6 +93,8 @@ form.addEventListener('submit', async (event) => {
       return;
     }
     sending.textContent = `${files.length} scans are sent.`;
+    input.value = '';
+    take([]);
     tellProblem();
     refresh();
   } catch (error) {

@@ -1,7 +1,7 @@
 // The pages of the service, against `regarment serve` with a data folder of its own: a scan is
 // sent, followed, opened, corrected and accepted, as a person would.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { createInterface } from 'node:readline';
@@ -223,4 +223,26 @@ describe('service', () => {
       await close();
     });
   }
+
+  // The last one: from here on nobody is served without a key.
+  it('asks for a key where there are keys, and takes none that is wrong', async () => {
+    const { key } = JSON.parse(execFileSync(process.env.PROGRAM,
+      ['key', 'add', 'browser', '--scope', 'admin', '--data', inWork('service-data'), '--json'], { encoding: 'utf8' }));
+    const { page, close } = await visit('/');
+    const ask = async (text) => {
+      await page.locator('#key').fill(text);
+      await page.locator('#sign-in-form button').click();
+    };
+    await page.locator('#sign-in[open]').waitFor();
+    await page.keyboard.press('Escape');
+    assert.equal(await page.locator('#jobs tr').count(), 0);
+    await ask('no key at all');
+    await page.locator('#key-problem', { hasText: 'key' }).waitFor();
+    await ask(key);
+    await page.locator('#jobs tr').first().waitFor();
+    assert.equal(await page.locator('#sign-in').isVisible(), false);
+    await page.locator('#leave button').click();
+    await page.locator('#sign-in[open]').waitFor();
+    await close();
+  });
 });
