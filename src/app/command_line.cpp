@@ -167,6 +167,12 @@ CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
   return templates;
 }
 
+CLI::App* add_serve(CLI::App& app, ServeArguments& a) {
+  CLI::App* serve = app.add_subcommand("serve", "Serve jobs over HTTP, with pages and workers");
+  add_serve_options(*serve, a);
+  return serve;
+}
+
 CLI::App* add_worker(CLI::App& app, WorkerArguments& a) {
   CLI::App* worker = app.add_subcommand("worker", "Run queued jobs until stopped");
   add_worker_options(*worker, a);
@@ -336,6 +342,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   ReviewArguments review;
   RenderArguments render;
   TemplatesArguments templates;
+  ServeArguments serve;
   WorkerArguments worker;
   KeyArguments key;
   ConfigArguments config;
@@ -353,6 +360,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* review_app = add_review(app, review);
   CLI::App* render_app = add_render(app, render);
   add_templates(app, templates);
+  CLI::App* serve_app = add_serve(app, serve);
   CLI::App* worker_app = add_worker(app, worker);
   CLI::App* key_app = add_key(app, key);
   CLI::App* config_app = add_config(app, config);
@@ -386,6 +394,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == report_app) return check_value("DIR", report.folder), report;
   if (used() == review_app) return check(review), review;
   if (used() == render_app) return check(render), render;
+  if (used() == serve_app) return serve;
   if (used() == worker_app) return worker;
   if (used() == key_app) return check_key(key), key;
   if (used() == config_app) return config;

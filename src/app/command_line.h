@@ -127,8 +127,8 @@ struct TextAnswer {
 
 using Command = std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
                              ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
-                             WorkerArguments, KeyArguments, ConfigArguments, DoctorArguments,
-                             BenchArguments, TextAnswer>;
+                             ServeArguments, WorkerArguments, KeyArguments, ConfigArguments,
+                             DoctorArguments, BenchArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

@@ -50,4 +50,8 @@ void run_config(const ConfigArguments& arguments, Console& console);
 /// Looks at what the service stands on, a line each. Throws GateError when something failed.
 void run_doctor(const DoctorArguments& arguments, Console& console);
 
+/// Serves jobs over HTTP until a signal asks it to stop; says "listening on ADDRESS" once it does.
+/// Requests and events go to standard error as lines of JSON.
+void run_serve(const ServeArguments& arguments, const StopSignal& stop);
+
 }  // namespace regarment

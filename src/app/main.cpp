@@ -74,6 +74,7 @@ struct Run {
     Console console(arguments.speech, stop);
     run_doctor(arguments, console);
   }
+  void operator()(const ServeArguments& arguments) const { run_serve(arguments, stop); }
   void operator()(const WorkerArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_worker_command(arguments, console, stop);

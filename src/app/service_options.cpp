@@ -18,6 +18,14 @@ void add_place_options(CLI::App& command, ServicePlace& place) {
                      "Job store: an SQLite file; store.sqlite3 in the folder by default");
 }
 
+void add_serve_options(CLI::App& command, ServeArguments& a) {
+  add_place_options(command, a.place);
+  command.add_option("--port", a.port, "Port; 0 for any that is free")->check(CLI::Range(0, 65535));
+  command.add_option("--bind", a.bind, "Address; any but 127.0.0.1 and ::1 needs an API key");
+  command.add_option("--workers", a.workers, "Worker processes; 0 for none")
+      ->check(CLI::Range(0, 256));
+}
+
 void add_worker_options(CLI::App& command, WorkerArguments& a) {
   add_place_options(command, a.place);
   command.add_option("--threads", a.threads, "Threads of each fit")->check(CLI::Range(1, 256));

@@ -20,6 +20,13 @@ struct ServicePlace {
   std::optional<std::string> store;
 };
 
+/// regarment serve
+struct ServeArguments {
+  ServicePlace place;
+  std::optional<std::string> bind;
+  std::optional<int> port, workers;
+};
+
 /// regarment worker
 struct WorkerArguments {
   Speech speech;
@@ -54,6 +61,7 @@ struct DoctorArguments {
 void add_place_options(CLI::App& command, ServicePlace& place);
 
 // Declare the options of a command.
+void add_serve_options(CLI::App& command, ServeArguments& a);
 void add_worker_options(CLI::App& command, WorkerArguments& a);
 void add_key_options(CLI::App& command, KeyArguments& a);
 void add_config_options(CLI::App& command, ConfigArguments& a);

@@ -6,6 +6,7 @@
 #include "garment/describe_template.h"
 #include "garment/find_template.h"
 #include "garment/pattern.h"
+#include "report/template_json.h"
 #include "report/text.h"
 
 namespace regarment {
@@ -14,25 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double cm(double metres) { return rounded(metres * 100.0, 4); }
-
-Json template_json(const GarmentTemplate& garment) {
-  Json dimensions = Json::array();
-  for (const Dimension& d : garment.dimensions()) {
-    dimensions.push_back({{"name", d.name},
-                          {"code", d.code},
-                          {"title", d.title},
-                          {"definition", d.definition},
-                          {"how_to_measure", d.how_to_measure},
-                          {"circumference", d.circumference},
-                          {"typical_cm", cm(d.typical)},
-                          {"bounds_cm", {cm(d.lower), cm(d.upper)}}});
-  }
-  return {{"name", garment.name()},
-          {"title", garment.title()},
-          {"description", garment.description()},
-          {"dimensions", dimensions},
-          {"sources", garment.sources()}};
-}
 
 constexpr double kPatternEdge = 0.025;  // m, as cloth is divided for a fit
 
@@ -71,14 +53,6 @@ Json pattern_at(const GarmentTemplate& garment, const std::vector<std::string>& 
           {"coarse_triangle_of_point", pattern.coarse_points}};
 }
 
-std::string list_as_json() {
-  Json list = Json::array();
-  for (const TemplateEntry& entry : list_templates()) {
-    list.push_back({{"name", entry.name}, {"title", entry.title}, {"source", entry.source}});
-  }
-  return list.dump(2) + "\n";
-}
-
 std::string list_as_text() {
   std::string text;
   for (const TemplateEntry& entry : list_templates()) {
@@ -95,7 +69,7 @@ void run_templates(const TemplatesArguments& arguments, Console& console) {
   if (!arguments.at.empty() && !(arguments.name && console.wants_json()))
     throw UsageError("--at: needs the name of a template and --json");
   if (!arguments.name) {
-    console.answer(console.wants_json() ? list_as_json() : list_as_text());
+    console.answer(console.wants_json() ? templates_json() : list_as_text());
     return;
   }
   const GarmentTemplate garment = find_template(*arguments.name);
@@ -103,7 +77,7 @@ void run_templates(const TemplatesArguments& arguments, Console& console) {
     console.answer(describe_template(garment));
     return;
   }
-  Json json = template_json(garment);
+  Json json = Json::parse(template_json(garment));
   if (!arguments.at.empty()) json["pattern"] = pattern_at(garment, arguments.at);
   console.answer(json.dump(2) + "\n");
 }
