@@ -27,7 +27,10 @@ cp "$here"/*.mjs "$here/package.json" "$here/.npmrc" "$work/"
 if ! cmp -s "$here/package-lock.json" "$work/installed.lock"; then
   rm -rf "$work/node_modules"
   cp "$here/package-lock.json" "$work/"
-  (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error)
+  (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error) || {
+    echo "skipped: npm cannot fetch the modules of package-lock.json"
+    exit 77
+  }
   cp "$here/package-lock.json" "$work/installed.lock"
 fi
 
