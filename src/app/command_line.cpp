@@ -208,23 +208,6 @@ CLI::App* add_bench(CLI::App& app, BenchArguments& a) {
   return bench;
 }
 
-struct ShellHelp {
-  std::string shell;
-};
-
-CLI::App* add_completion(CLI::App& app, ShellHelp& a) {
-  CLI::App* completion =
-      app.add_subcommand("completion", "A script by which a shell completes commands and options");
-  completion->add_option("SHELL", a.shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  return completion;
-}
-
-CLI::App* add_manual(CLI::App& app) {
-  return app.add_subcommand("manual", "The manual page, for man -l or the manual's folder");
-}
-
 // "fit, refit or render"
 std::string in_words(const std::vector<std::string>& names) {
   std::string out;
@@ -366,7 +349,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* config_app = add_config(app, config);
   CLI::App* doctor_app = add_doctor(app, doctor);
   CLI::App* bench_app = add_bench(app, bench);
-  ShellHelp shell;
+  std::string shell;
   CLI::App* completion_app = add_completion(app, shell);
   CLI::App* manual_app = add_manual(app);
   for (CLI::App* command : app.get_subcommands({})) {
@@ -400,7 +383,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == config_app) return config;
   if (used() == doctor_app) return doctor;
   if (used() == bench_app) return check_bench(bench), bench;
-  if (used() == completion_app) return TextAnswer{completion_script(app, shell.shell)};
+  if (used() == completion_app) return TextAnswer{completion_script(app, shell)};
   if (used() == manual_app) return TextAnswer{manual_page(app, version())};
   return templates;
 }

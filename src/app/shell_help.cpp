@@ -183,6 +183,19 @@ std::string roff(const std::string& text) {
 
 }  // namespace
 
+CLI::App* add_completion(CLI::App& app, std::string& shell) {
+  CLI::App* completion =
+      app.add_subcommand("completion", "A script by which a shell completes commands and options");
+  completion->add_option("SHELL", shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  return completion;
+}
+
+CLI::App* add_manual(CLI::App& app) {
+  return app.add_subcommand("manual", "The manual page, for man -l or the manual's folder");
+}
+
 std::string completion_script(const CLI::App& app, const std::string& shell) {
   if (shell == "bash") return bash_script(app);
   if (shell == "zsh") return zsh_script(app);

@@ -17,8 +17,8 @@ namespace regarment {
 ///                       scans/       of an evaluation: the scans of the table
 ///                       result-N/    what the command wrote under the claim with token N; appears
 ///                                    whole, and counts once the job succeeded under this token
-/// Ids that are none throw InvalidInput. Names come from us alone; what a sender calls a file never
-/// becomes part of a path.
+/// Ids that are none throw InvalidInput. Names come from us alone, but for the scans of an
+/// evaluation, whose names a table knows: those hold letters, digits, dots, dashes and underscores.
 class JobFolders {
  public:
   /// Makes DATA, readable to its owner only, and its two folders. Throws UsageError when it may not
