@@ -1,6 +1,7 @@
 #include "app/shell_help.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "base/error.h"
 #include "base/one_line.h"
@@ -61,8 +62,9 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 }
 
 std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
-  std::vector<std::string> out;
-  for (const CLI::App* command : commands) out.push_back(command->get_name());
+  std::vector<std::string> out(commands.size());
+  std::transform(commands.begin(), commands.end(), out.begin(),
+                 [](const CLI::App* command) { return command->get_name(); });
   return out;
 }
 
@@ -112,7 +114,7 @@ std::string bash_script(const CLI::App& app) {
   return out;
 }
 
-std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+std::string in_quotes(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
 
 std::string zsh_script(const CLI::App& app) {
   std::string out =
@@ -124,7 +126,7 @@ std::string zsh_script(const CLI::App& app) {
     return replaced(replaced(replaced(text, ":", "\\:"), "[", "("), "]", ")");
   };
   for (const CLI::App* command : commands_of(app))
-    out += "  " + quoted(command->get_name() + ":" + plain(command->get_description())) + "\n";
+    out += "  " + in_quotes(command->get_name() + ":" + plain(command->get_description())) + "\n";
   out +=
       ")\n"
       "if (( CURRENT == 2 )); then\n"
@@ -140,14 +142,13 @@ std::string zsh_script(const CLI::App& app) {
     for (const Choice& choice : choices_of(*command)) {
       const std::string values =
           choice.allowed.empty() ? "_files" : "(" + joined(choice.allowed, " ") + ")";
+      const bool takes = choice.positional || !choice.value.empty();
       for (const std::string& name : choice.names) {
-        const std::string head =
-            choice.positional ? "*" : "*" + name + "[" + plain(choice.meaning) + "]";
-        const bool takes = choice.positional || !choice.value.empty();
-        out += " \\\n      " +
-               quoted(head +
-                      (takes ? ":" + plain(choice.positional ? name : choice.value) + ":" + values
-                             : ""));
+        std::string words = "*";
+        if (!choice.positional) words.append(name).append("[").append(plain(choice.meaning)) += "]";
+        const std::string& what = choice.positional ? name : choice.value;
+        if (takes) words.append(":").append(plain(what)).append(":").append(values);
+        out.append(" \\\n      ").append(in_quotes(words));
       }
     }
     out += "\n    ;;\n";
@@ -159,17 +160,17 @@ std::string fish_script(const CLI::App& app) {
   std::string out = "# fish completion of regarment\n";
   for (const CLI::App* command : commands_of(app)) {
     out += "complete -c regarment -n __fish_use_subcommand -f -a " + command->get_name() + " -d " +
-           quoted(command->get_description()) + "\n";
+           in_quotes(command->get_description()) + "\n";
     for (const Choice& choice : choices_of(*command)) {
       if (choice.positional) continue;
       out += "complete -c regarment -n '__fish_seen_subcommand_from " + command->get_name() + "'";
       for (const std::string& name : choice.names)
         out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!choice.allowed.empty())
-        out += " -x -a " + quoted(joined(choice.allowed, " "));
+        out += " -x -a " + in_quotes(joined(choice.allowed, " "));
       else if (!choice.value.empty())
         out += " -r";
-      out += " -d " + quoted(choice.meaning) + "\n";
+      out += " -d " + in_quotes(choice.meaning) + "\n";
     }
   }
   return out;

@@ -61,7 +61,8 @@ Response follow_events(const Service& service, const Call& call) {
   return out;
 }
 
-Response send_file(const Service& service, const Call& call, std::vector<std::string> segments) {
+Response send_file(const Service& service, const Call& call,
+                   const std::vector<std::string>& segments) {
   const Job job = visible_job(service, call);
   if (job.state != JobState::Succeeded)
     throw HttpProblem(404, "no_result",

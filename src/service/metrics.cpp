@@ -65,8 +65,10 @@ std::string Metrics::text(const Service& service) const {
   head(out, "regarment_http_requests_total", "counter", "Requests by method, route and status.");
   for (const auto& [key, count] : requests_) {
     const auto& [method, route, status] = key;
-    out += "regarment_http_requests_total{method=\"" + method + "\",route=\"" + route +
-           "\",status=\"" + std::to_string(status) + "\"} " + std::to_string(count) + "\n";
+    out.append("regarment_http_requests_total{method=\"").append(method);
+    out.append("\",route=\"").append(route);
+    out.append("\",status=\"").append(std::to_string(status));
+    out.append("\"} ").append(std::to_string(count)) += "\n";
   }
   head(out, "regarment_http_request_seconds", "histogram", "Time from header to answer.");
   std::uint64_t sum = 0;
