@@ -73,7 +73,7 @@ void check_options(const Service& service, JobKind kind, const std::vector<std::
 }
 
 std::vector<std::string> read_garments(const std::string& text) {
-  const std::vector<std::string> names = names_in(text);
+  std::vector<std::string> names = names_in(text);
   if (names.empty()) refuse_garments("none given");
   if (names.size() > kMostGarments) refuse_garments("more than 8 given");
   const std::vector<TemplateEntry> known = list_templates();

@@ -18,7 +18,7 @@ std::string cm(std::optional<double> metres) {
 }
 
 std::vector<TruthRow> rows_for(const std::string& table, const std::string& scan) {
-  const std::vector<TruthRow> rows = truth_rows(CsvTable::parse(table, "ground_truth"));
+  std::vector<TruthRow> rows = truth_rows(CsvTable::parse(table, "ground_truth"));
   std::set<std::string> scans;
   for (const TruthRow& row : rows) scans.insert(row.scan);
   if (scans.size() <= 1) return rows;
