@@ -77,7 +77,10 @@ HttpProblem problem_of(const ErrorCode& error, bool in_target) {
 class Session : public std::enable_shared_from_this<Session> {
  public:
   Session(tcp::socket socket, Shared& shared)
-      : stream_(std::move(socket)), timer_(stream_.get_executor()), shared_(shared) {
+      : stream_(std::move(socket)),
+        timer_(stream_.get_executor()),
+        shared_(shared),
+        buffer_(shared.options.header_bytes + 2 * kBlock) {
     const std::lock_guard lock(shared_.mutex);
     shared_.sessions.insert(this);
   }
@@ -206,7 +209,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void on_body(const ErrorCode& error) {
     if (error == http::error::body_limit) return refuse(too_long_body(exchange_->body_limit()));
     if (error && error != http::error::need_buffer)
-      return is_bad_http(error) ? refuse(problem_of(error, false)) : void();
+      return is_bad_http(error) ? refuse(bad_http(400, error.message())) : void();
     got_ = block_.size() - parser_->get().body().size;
     served_.bytes_in += got_;
     if (got_ == 0) return read_body();
@@ -314,7 +317,7 @@ class Session : public std::enable_shared_from_this<Session> {
   beast::tcp_stream stream_;
   net::steady_timer timer_;
   Shared& shared_;
-  beast::flat_buffer buffer_;
+  beast::flat_buffer buffer_;  // bounded: the size of a chunk may come without end
   std::optional<http::request_parser<http::buffer_body>> parser_;
 
   // Of the request at hand.

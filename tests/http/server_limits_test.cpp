@@ -68,6 +68,12 @@ TEST_F(LimitsTest, LongBodiesAreRefusedAsSoonAsTheyShow) {
   EXPECT_EQ(status_of(tell(post + "Transfer-Encoding: chunked\r\n\r\n" + chunks)), 413);
 }
 
+TEST_F(LimitsTest, AChunkSizeWithoutEndIsRefused) {
+  const std::string post = "POST /echo HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: chunked\r\n\r\n";
+  EXPECT_EQ(status_of(tell(post + std::string(1'000'000, '0'))), 400);
+  EXPECT_EQ(status_of(tell(post + "1;" + std::string(1'000'000, 'a'))), 400);
+}
+
 TEST(TightServer, ClosesConnectionsThatTakeTheirTime) {
   EchoHandler handler;
   const Server server(tight(), handler);
