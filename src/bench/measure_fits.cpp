@@ -105,7 +105,7 @@ void add_stages(const std::vector<FitTimes>& fits, Bench& bench) {
 }
 
 fs::path finer_copy(const Mesh& mesh, const BenchOptions& options) {
-  const fs::path file = options.work / "finer.ply";
+  fs::path file = options.work / "finer.ply";
   std::ofstream out(file, std::ios::binary);
   PlyWriter(mesh.positions.size()).positions(mesh.positions).triangles(mesh.triangles).write(out);
   out.close();
@@ -180,6 +180,7 @@ void measure_fits(const BenchOptions& options, const Progress& progress, Bench& 
   }
   const double first = all.value;
   std::vector<double> processor;
+  processor.reserve(fits.size());
   for (const FitTimes& fit : fits) processor.push_back(fit.processor);
   bench.rows.push_back(std::move(all));
   bench.rows.push_back({.group = "A fit",

@@ -32,7 +32,8 @@ std::vector<std::array<int, 2>> pairs_of(const JointModel& model) {
 
 Problem problem_of(const JointModel& model) {
   const int n = model.pattern().particle_count;
-  Problem out{BlockTriangle(n, pairs_of(model)), Sparse(3 * n, 3 * n), {}};
+  const Eigen::Index rows = 3 * static_cast<Eigen::Index>(n);
+  Problem out{BlockTriangle(n, pairs_of(model)), Sparse(rows, rows), {}};
   std::vector<Eigen::Triplet<double>> all;
   const auto add = [&](int i, int j, const Eigen::Matrix3d& block) {
     out.blocks.add(i, j, block);
@@ -53,7 +54,7 @@ Problem problem_of(const JointModel& model) {
         share * (kAcross * normal * normal.transpose() + kPull * Eigen::Matrix3d::Identity()));
   }
   out.matrix.setFromTriplets(all.begin(), all.end());
-  out.right.resize(3 * n, static_cast<Eigen::Index>(model.dimension_count()) + 1);
+  out.right.resize(rows, static_cast<Eigen::Index>(model.dimension_count()) + 1);
   for (Eigen::Index c = 0; c < out.right.cols(); ++c)
     for (Eigen::Index i = 0; i < out.right.rows(); ++i)
       out.right(i, c) = std::sin(0.37 * static_cast<double>(i * (c + 1)));

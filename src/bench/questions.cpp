@@ -73,6 +73,7 @@ std::vector<Question> ask_near(const Mesh& mesh, double distance, std::size_t co
 
 std::vector<Question> in_order(const std::vector<Question>& questions) {
   std::vector<Vec3> points;
+  points.reserve(questions.size());
   for (const Question& question : questions) points.push_back(question.point);
   std::vector<Question> ordered;
   const PointTree tree(points);

@@ -52,7 +52,7 @@ int add_positions(const Mesh& mesh, bool all_finite, GlbWriter& glb) {
 }
 
 Json matrix_json(const Eigen::Affine3d& transform) {
-  const Eigen::Matrix4d m = transform.matrix();
+  const Eigen::Matrix4d& m = transform.matrix();
   return std::vector<double>(m.data(), m.data() + m.size());
 }
 
