@@ -7,78 +7,32 @@
 #include <cstdio>
 
 #include "base/stopwatch.h"
+#include "bench/step_system.h"
 #include "garment/find_template.h"
-#include "joint/block_factor.h"
-#include "joint/joint_model.h"
 
 namespace {
 
 using namespace regarment;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kPull = 400;      // 1/m^2, of a step that may go 5 cm
-constexpr double kAcross = 1e6;    // 1/m^2, of a scan known to a millimetre
 constexpr double kExact = 1e-6;    // of the right-hand side, where iterations end
 constexpr int kMostRounds = 1000;  // of iterations
 
-struct Problem {
-  BlockTriangle blocks;
-  Sparse matrix;    // 3 n x 3 n, both triangles
-  Sparse constant;  // n x n: with the full pull in all directions, whatever they are
-  Eigen::MatrixXd right;
-};
-
-std::vector<std::array<int, 2>> pairs_of(const JointModel& model) {
-  std::vector<std::array<int, 2>> out;
-  for (const Spring& s : model.springs()) out.push_back({s.particle_a, s.particle_b});
-  return out;
-}
-
-/// The garment rolled round a trunk, so that springs and normals point in all directions.
-std::vector<Vec3> rolled(const Pattern& pattern) {
-  std::vector<Vec3> x(pattern.particle_count);
-  for (std::size_t v = 0; v < pattern.flat.size(); ++v) {
-    const double phi = pattern.flat[v].x() / 0.16;
-    const double side = pattern.panel_is_front[pattern.panel[v]] ? 1 : -1;
-    x[pattern.particle[v]] = {0.16 * std::sin(phi), -pattern.flat[v].y(),
-                              side * 0.16 * std::cos(phi)};
-  }
-  return x;
-}
-
-Problem problem_of(const JointModel& model) {
+/// n x n: the system with the full pull in all directions, whatever they are.
+Sparse constant_matrix(const JointModel& model) {
   const int n = model.pattern().particle_count;
-  Problem out{BlockTriangle(n, pairs_of(model)), Sparse(3 * n, 3 * n), Sparse(n, n), {}};
-  const std::vector<Vec3> x = rolled(model.pattern());
-  std::vector<Eigen::Triplet<double>> all, even;
-  const auto add = [&](int i, int j, const Eigen::Matrix3d& block) {
-    out.blocks.add(i, j, block);
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) all.emplace_back(3 * i + r, 3 * j + c, block(r, c));
-  };
+  std::vector<Eigen::Triplet<double>> all;
   for (std::size_t s = 0; s < model.springs().size(); ++s) {
     const auto [a, b] = std::pair(model.springs()[s].particle_a, model.springs()[s].particle_b);
-    const Vec3 along = (x[b] - x[a]).normalized();
     const double w = model.spring_weight(s);
-    const Eigen::Matrix3d block = w * along * along.transpose();
-    add(a, a, block), add(b, b, block), add(a, b, -block), add(b, a, -block);
-    even.emplace_back(a, a, w), even.emplace_back(b, b, w);
-    even.emplace_back(a, b, -w), even.emplace_back(b, a, -w);
+    all.emplace_back(a, a, w), all.emplace_back(b, b, w);
+    all.emplace_back(a, b, -w), all.emplace_back(b, a, -w);
   }
-  for (int i = 0; i < n; ++i) {
-    const Vec3 normal = Vec3(x[i].x(), 0, x[i].z()).normalized();
-    const double share = model.particle_areas()[i] / model.scales().patch;
-    add(i, i,
-        share * (kAcross * normal * normal.transpose() + kPull * Eigen::Matrix3d::Identity()));
-    even.emplace_back(i, i, share * (kAcross + kPull));
-  }
-  out.matrix.setFromTriplets(all.begin(), all.end());
-  out.constant.setFromTriplets(even.begin(), even.end());
-  const auto columns = static_cast<Eigen::Index>(model.dimension_count()) + 1;
-  out.right.resize(3 * n, columns);
-  for (Eigen::Index c = 0; c < columns; ++c)
-    for (Eigen::Index i = 0; i < 3 * n; ++i)
-      out.right(i, c) = std::sin(0.37 * static_cast<double>(i) * static_cast<double>(c + 1));
+  for (int i = 0; i < n; ++i)
+    all.emplace_back(i, i,
+                     model.particle_areas()[i] / model.scales().patch * (kStepAcross + kStepPull));
+  Sparse out(n, n);
+  out.setFromTriplets(all.begin(), all.end());
   return out;
 }
 
@@ -99,7 +53,7 @@ class Even {
 };
 
 /// Targets moved, the matrix constant [Bouaziz et al. 2014]: x += constant^-1 (b - A x).
-int moved_targets(const Problem& p, const Even& even, const Eigen::VectorXd& b,
+int moved_targets(const StepSystem& p, const Even& even, const Eigen::VectorXd& b,
                   Eigen::VectorXd& x) {
   x.setZero(b.size());
   for (int round = 0; round < kMostRounds; ++round) {
@@ -110,7 +64,7 @@ int moved_targets(const Problem& p, const Even& even, const Eigen::VectorXd& b,
   return kMostRounds;
 }
 
-int conjugate_gradients(const Problem& p, const Even& even, const Eigen::VectorXd& b,
+int conjugate_gradients(const StepSystem& p, const Even& even, const Eigen::VectorXd& b,
                         Eigen::VectorXd& x) {
   x.setZero(b.size());
   Eigen::VectorXd rest = b, z = even.solve(rest), way = z;
@@ -135,9 +89,9 @@ void print(const char* what, double seconds, const Eigen::MatrixXd& x, const Eig
   std::printf("\n");
 }
 
-using Iterate = int (*)(const Problem&, const Even&, const Eigen::VectorXd&, Eigen::VectorXd&);
+using Iterate = int (*)(const StepSystem&, const Even&, const Eigen::VectorXd&, Eigen::VectorXd&);
 
-void iterate(const char* what, Iterate how, const Problem& p, const Even& even,
+void iterate(const char* what, Iterate how, const StepSystem& p, const Even& even,
              const Eigen::MatrixXd& same) {
   Stopwatch watch;
   Eigen::MatrixXd x(p.right.rows(), p.right.cols());
@@ -152,7 +106,7 @@ void iterate(const char* what, Iterate how, const Problem& p, const Even& even,
 
 void compare(const GarmentTemplate& garment, double edge_length) {
   const JointModel model(garment, garment.typical(), edge_length, JointScales{});
-  const Problem p = problem_of(model);
+  const StepSystem p = step_system(model);
   std::printf("%s, %d particles, %d right-hand sides\n", garment.name().c_str(),
               model.pattern().particle_count, static_cast<int>(p.right.cols()));
   Eigen::SimplicialLDLT<Sparse> scalar;
@@ -166,7 +120,7 @@ void compare(const GarmentTemplate& garment, double edge_length) {
   if (!blocks.factorize(p.blocks)) return;
   const Eigen::MatrixXd x = blocks.solve(p.right);
   print("factor, 3 x 3 blocks", watch.lap(), x, same, 0);
-  const Even even(p.constant);
+  const Even even(constant_matrix(model));
   iterate("constant, conjugate gradients", conjugate_gradients, p, even, same);
   iterate("constant, moved targets", moved_targets, p, even, same);
 }
