@@ -22,7 +22,7 @@ struct ChildEnd {
 /// What a child may use up; 0: as much as we may ourselves.
 struct ChildLimits {
   std::chrono::milliseconds time{0};  // wall time; then SIGTERM, and SIGKILL a second later
-  std::uint64_t memory = 0;           // address space, bytes
+  std::uint64_t memory = 0;           // address space, bytes; as much as it likes under a sanitizer
   std::uint64_t file = 0;             // of any one file it writes, bytes; more is a failed write
 };
 

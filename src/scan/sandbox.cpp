@@ -17,24 +17,11 @@
 #include <fstream>
 
 #include "base/error.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define REGARMENT_UNDER_SANITIZER 1
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define REGARMENT_UNDER_SANITIZER 1
-#endif
+#include "base/under_sanitizer.h"
 
 namespace regarment {
 namespace {
 
-#ifdef REGARMENT_UNDER_SANITIZER
-constexpr bool kUnderSanitizer = true;
-#else
-constexpr bool kUnderSanitizer = false;
-#endif
 constexpr unsigned kSlowdown = kUnderSanitizer ? 10 : 1;
 constexpr int kFinished = 0, kNotStarted = 100;  // exit statuses of the child
 constexpr int kAskEvery = 100;                   // ms, between two looks at progress

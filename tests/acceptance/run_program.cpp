@@ -11,19 +11,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/under_sanitizer.h"
+
 namespace regarment {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
-
 constexpr rlim_t kAddressSpace = rlim_t{1} << 30;
-constexpr int kSlowdown = kSanitized ? 6 : 1;  // what a sanitizer costs at worst
+constexpr int kSlowdown = kUnderSanitizer ? 6 : 1;  // what a sanitizer costs at worst
 
 std::array<int, 2> make_pipe() {
   std::array<int, 2> ends{};
@@ -34,7 +28,7 @@ std::array<int, 2> make_pipe() {
 // Only calls that are safe between fork and exec.
 [[noreturn]] void become_program(char* const* argv, int out, int err, int seconds) {
   const rlimit space{kAddressSpace, kAddressSpace};
-  if (!kSanitized) ::setrlimit(RLIMIT_AS, &space);
+  if (!kUnderSanitizer) ::setrlimit(RLIMIT_AS, &space);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);

@@ -234,7 +234,6 @@ int run(const Plan& plan) {
   // Short leases, and attempts without end: kills are no fault of the job.
   ::setenv("REGARMENT_LEASE_SECONDS", "2", 1);
   ::setenv("REGARMENT_MAX_ATTEMPTS", "100", 1);
-  ::setenv("REGARMENT_FIT_MEMORY_MB", "0", 1);
   const JobFolders folders(folder.path() / "data");
   const auto store = open_job_store(folders.default_store().string());
   const Kills kills = fire(plan, folders.data(), *store);
