@@ -66,7 +66,7 @@ bool is_bad_http(const ErrorCode& error) {
          error != http::error::end_of_stream && error != http::error::partial_message;
 }
 
-HttpProblem problem_of(const ErrorCode& error, bool in_target) {
+HttpProblem problem_of_header(const ErrorCode& error, bool in_target) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow)
     return too_long_header(in_target);
   return bad_http(error == http::error::bad_version ? 505 : 400, error.message());
@@ -154,7 +154,7 @@ class Session : public std::enable_shared_from_this<Session> {
     watch_ = {};
     request_.id = shared_.ids.next();
     try {
-      if (error) throw problem_of(error, parser_->get().target().empty());
+      if (error) throw problem_of_header(error, parser_->get().target().empty());
       read_request();
       readable_ = true;
       std::optional<Response> quick = shared_.handler.at_once(request_);
@@ -213,11 +213,8 @@ class Session : public std::enable_shared_from_this<Session> {
     got_ = block_.size() - parser_->get().body().size;
     served_.bytes_in += got_;
     if (got_ == 0) return read_body();
-    in_pool(
-        [](Session& s) {
-          s.exchange_->take({s.block_.data(), s.got_});
-        },
-        [](Session& s) { s.read_body(); });
+    in_pool([](Session& s) { s.exchange_->take(std::string_view(s.block_.data(), s.got_)); },
+            [](Session& s) { s.read_body(); });
   }
 
   void finish() {
