@@ -79,6 +79,8 @@ export const post = async (path, body) => {
   return (await request(path, { method: 'POST', ...json })).json();
 };
 
+export const takeBack = async (path) => (await request(path, { method: 'DELETE' })).json();
+
 // A form with files: told how much of it was sent, from 0 to 1.
 export const send = async (path, form, sent) => {
   const { status, text } = await new Promise((done, fail) => {

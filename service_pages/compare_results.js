@@ -1,5 +1,5 @@
 // An older result and a newer one side by side, and the verdict on the newer.
-import { get, jobAddress, post } from './api.js';
+import { get, jobAddress, post, takeBack } from './api.js';
 import { byId, cm, make, signedCm, tellProblem } from './dom.js';
 import { labelPictures } from './results.js';
 
@@ -51,7 +51,9 @@ export const showComparison = async (source, before, id, now) => {
 for (const button of byId('decide').querySelectorAll('[data-verdict]')) {
   button.addEventListener('click', async () => {
     try {
-      showState(await post(`${jobAddress(newest)}/review`, { verdict: button.dataset.verdict, note: '' }));
+      const address = `${jobAddress(newest)}/review`;
+      const given = button.getAttribute('aria-pressed') === 'true';
+      showState(await (given ? takeBack(address) : post(address, { verdict: button.dataset.verdict, note: '' })));
       tellProblem();
     } catch (error) {
       tellProblem(error);

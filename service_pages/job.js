@@ -1,5 +1,5 @@
 // One job: how far it is, what it found, and what can be done with it.
-import { follow, get, isOpen, jobAddress, post, request } from './api.js';
+import { follow, get, isOpen, jobAddress, post, request, takeBack } from './api.js';
 import { byId, bytes, make, tellProblem, words } from './dom.js';
 import { clearStages, showProgress } from './job_progress.js';
 import { showResult } from './job_result.js';
@@ -116,8 +116,11 @@ byId('delete-sure').addEventListener('click', doing(async () => {
 }));
 for (const button of byId('review-box').querySelectorAll('[data-verdict]')) {
   button.addEventListener('click', doing(async () => {
-    const note = byId('note').value.trim() || (job.review?.note ?? '');
-    show(await post(`${jobAddress(id)}/review`, { verdict: button.dataset.verdict, note }));
+    const [address, { verdict }] = [`${jobAddress(id)}/review`, button.dataset];
+    const note = byId('note').value.trim();
+    // The same verdict once more, with nothing new to say, takes it back.
+    if (verdict === job.review?.verdict && note === '') show(await takeBack(address));
+    else show(await post(address, { verdict, note: note || (job.review?.note ?? '') }));
     byId('note').value = '';
   }));
 }

@@ -15,16 +15,19 @@ Verdicts = class extends Verdicts {
   }
 
   undo() {
-    const result = super.undo();
-    if (result !== undefined) this.#post(result);
-    return result;
+    return this.#postChanges(() => super.undo());
   }
 
   read(text) {
+    return this.#postChanges(() => super.read(text));
+  }
+
+  // An import changes many at once, and so does taking it back.
+  #postChanges(change) {
     const before = new Map(this.results.map(({ result }) => [result, JSON.stringify(this.of(result))]));
-    const counts = super.read(text);
+    const told = change();
     for (const [result, was] of before) if (JSON.stringify(this.of(result)) !== was) this.#post(result);
-    return counts;
+    return told;
   }
 
   // One after the other, so that the last verdict is the one that stays.
@@ -34,10 +37,11 @@ Verdicts = class extends Verdicts {
     this.#sent = this.#sent.then(async () => {
       const line = document.getElementById('problem');
       try {
-        const answer = await fetch(`/v1/jobs/${job}/review`, {
+        // A note alone is a verdict that is open; neither is none.
+        const answer = await fetch(`/v1/jobs/${job}/review`, verdict || note ? {
           method: 'POST', headers: { 'Content-Type': 'application/json' },
           body: JSON.stringify({ verdict: verdict || 'unsure', note }),
-        });
+        } : { method: 'DELETE' });
         if (!answer.ok) throw new Error((await answer.json()).detail);
         line.hidden = true;
       } catch (error) {

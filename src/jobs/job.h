@@ -94,7 +94,8 @@ struct JobEvent {
   JobTime time;
   std::string kind;  // "state", "progress" or "review"
   // A JSON object: {"state", "attempt", "error"?: {"code", "message"}}; {"progress", "stage",
-  // "detail"?}; {"verdict", "note", "by"}.
+  // "detail"?}; {"verdict", "note", "by"}, where "verdict" is null when
+  // one was taken back.
   std::string data;
 };
 

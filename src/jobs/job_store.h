@@ -99,6 +99,9 @@ class JobStore {
   /// Keeps the verdict (an earlier one is replaced; its event stays). `time` is the store's. False:
   /// no such job, or it has not succeeded.
   virtual bool review(std::string_view id, const Review& review) = 0;
+  /// Forgets the verdict; `by` is who takes it back (Review::by). An event tells it, where there
+  /// was one. False: no such job, or it has not succeeded.
+  virtual bool take_back_review(std::string_view id, std::string_view by) = 0;
   /// Jobs that ended before `moment`, oldest first.
   virtual std::vector<std::string> ended_before(JobTime moment, int most) = 0;
   /// Bytes of all jobs of one owner.

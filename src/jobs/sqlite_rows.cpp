@@ -107,4 +107,8 @@ std::string review_event(const Review& review) {
   return dump({{"verdict", name_of(review.verdict)}, {"note", review.note}, {"by", review.by}});
 }
 
+std::string taken_back_event(std::string_view by) {
+  return dump({{"verdict", nullptr}, {"note", ""}, {"by", by}});
+}
+
 }  // namespace regarment

@@ -27,5 +27,6 @@ std::string garments_json(const std::vector<std::string>& garments);
 std::string state_event(JobState state, int attempt, const JobError& error);
 std::string progress_event(double fraction, const std::string& stage, const std::string& detail);
 std::string review_event(const Review& review);
+std::string taken_back_event(std::string_view by);
 
 }  // namespace regarment

@@ -152,6 +152,24 @@ bool SqliteJobStore::review(std::string_view id, const Review& review) {
   return true;
 }
 
+bool SqliteJobStore::take_back_review(std::string_view id, std::string_view by) {
+  const Lock lock(write_mutex_);
+  SqliteTransaction transaction(writer_);
+  SqliteStatement row(writer_,
+                      "SELECT number, verdict FROM jobs WHERE id = ? AND state = 'succeeded'", id);
+  if (!row.step()) return false;
+  if (row.text(1).empty()) return true;
+  const std::int64_t job = row.integer(0);
+  SqliteStatement(writer_,
+                  "UPDATE jobs SET verdict = '', note = '', reviewer = '', reviewed = 0 "
+                  "WHERE number = ?",
+                  job)
+      .run();
+  add_event(job, "review", taken_back_event(by));
+  transaction.commit();
+  return true;
+}
+
 std::vector<std::string> SqliteJobStore::ended_before(JobTime moment, int most) {
   const Lock lock(read_mutex_);
   SqliteStatement row(reader_, "SELECT id FROM jobs WHERE ended < ? ORDER BY ended, number LIMIT ?",

@@ -23,6 +23,7 @@ class SqliteJobStore : public JobStore {
   std::optional<Job> requeue(std::string_view id) override;
   bool remove(std::string_view id) override;
   bool review(std::string_view id, const Review& review) override;
+  bool take_back_review(std::string_view id, std::string_view by) override;
   std::vector<std::string> ended_before(JobTime moment, int most) override;
   std::uint64_t bytes_of(std::string_view owner) override;
   std::uint64_t open_jobs_of(std::string_view owner) override;

@@ -138,6 +138,13 @@ Response review_job(const Service& service, const Call& call) {
   return answer_job(service, call, find_job(service, job.id));
 }
 
+Response take_back_review(const Service& service, const Call& call) {
+  const Job job = visible_job(service, call);
+  if (!service.store.take_back_review(job.id, call.caller.key.id))
+    throw HttpProblem(409, "no_result", "only a job that succeeded has a verdict");
+  return answer_job(service, call, find_job(service, job.id));
+}
+
 }  // namespace
 
 std::vector<Route> job_routes(const Service& s) {
@@ -158,6 +165,7 @@ std::vector<Route> job_routes(const Service& s) {
       {"POST", "/v1/jobs/{id}/cancel", Scope::Submit, with(cancel_job), kMostJson},
       {"POST", "/v1/jobs/{id}/requeue", Scope::Submit, with(requeue_job), kMostJson},
       {"POST", "/v1/jobs/{id}/review", Scope::Review, with(review_job), kMostJson},
+      {"DELETE", "/v1/jobs/{id}/review", Scope::Review, with(take_back_review)},
       {"POST", "/v1/jobs/{id}/refit", Scope::Submit, with(submit_refit), kMostJson},
       {"GET", "/v1/jobs/{id}/{file...}", {}, [&s](const Call& call) {
          return send_file(s, call, {call.captured.begin() + 1, call.captured.end()});

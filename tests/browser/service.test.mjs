@@ -158,6 +158,11 @@ describe('service', () => {
     await page.locator('#decide [data-verdict=rejected]').click();
     await page.locator('#new-state', { hasText: 'rejected' }).waitFor();
     assert.equal((await api(`/jobs/${second.id}`)).review.verdict, 'rejected');
+    await page.locator('#decide [data-verdict=rejected]').click();
+    await page.locator('#new-state', { hasText: 'no verdict yet' }).waitFor();
+    assert.equal((await api(`/jobs/${second.id}`)).review, null);
+    await page.locator('#decide [data-verdict=rejected]').click();
+    await page.locator('#new-state', { hasText: 'rejected' }).waitFor();
     assert.equal((await api(`/jobs/${first.id}`)).review, null);
     assert.deepEqual(complaints, []);
     await close();
@@ -172,6 +177,11 @@ describe('service', () => {
     await page.keyboard.press('a');
     await posted;
     assert.equal((await api(`/jobs/${id}`)).review.verdict, 'accepted');
+    const answered = (method) => page.waitForResponse((answer) => answer.url().endsWith('/review') && answer.request().method() === method);
+    const [undone] = await Promise.all([answered('DELETE'), page.keyboard.press('u')]);
+    assert.equal(undone.status(), 200);
+    assert.equal((await api(`/jobs/${id}`)).review, null);
+    await Promise.all([answered('POST'), page.keyboard.press('a')]);
     await page.reload();
     await page.locator('#waiting', { hasText: 'No result waits' }).waitFor();
     assert.deepEqual(complaints, []);

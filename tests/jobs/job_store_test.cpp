@@ -184,6 +184,26 @@ TEST_P(JobStoreTest, KeepsTheLastVerdictOfASucceededJobOnly) {
   EXPECT_EQ(store_->list({.verdict = Verdict::Accepted}).jobs.size(), 1U);
 }
 
+TEST_P(JobStoreTest, TakesAVerdictBackAndSaysSoOnce) {
+  const std::string id = queue();
+  EXPECT_FALSE(store_->take_back_review(id, "me"));
+  EXPECT_FALSE(store_->take_back_review("nobody", "me"));
+  const auto claim = store_->claim("w", kLease, kAttempts);
+  store_->succeed(id, claim->token, 1);
+  store_->review(id, {Verdict::Rejected, "too wide", "me", {}});
+  EXPECT_TRUE(store_->take_back_review(id, "you"));
+  EXPECT_FALSE(store_->find(id)->review);
+  EXPECT_EQ(store_->list({.reviewed = false}).jobs.size(), 1U);
+  EXPECT_TRUE(store_->list({.verdict = Verdict::Rejected}).jobs.empty());
+  EXPECT_TRUE(store_->take_back_review(id, "you"));
+  const auto events = store_->events(id, 3, 100);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[1].kind, "review");
+  EXPECT_EQ(events[1].data, R"({"verdict":null,"note":"","by":"you"})");
+  EXPECT_TRUE(store_->review(id, {Verdict::Accepted, "", "", {}}));
+  EXPECT_EQ(store_->find(id)->review->note, "");
+}
+
 TEST_P(JobStoreTest, CountsAndSumsPerStateAndOwner) {
   NewJob job;
   job.owner = "a", job.bytes = 10;

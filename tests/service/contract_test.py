@@ -151,6 +151,7 @@ with Service("--workers", "0") as service:
     for name in ("refit", "review"):
         body = {"options": {}, "verdict": "accepted"}
         ask(service, "POST", "/v1/jobs/{id}/" + name, 409, body, id=job["id"])
+    ask(service, "DELETE", "/v1/jobs/{id}/review", 409, id=job["id"])
     for name in ("report", "checks"):
         ask(service, "GET", "/v1/jobs/{id}/" + name, 404, id=job["id"])
     ask(service, "GET", "/v1/jobs/{id}/{file}", 404, id=job["id"], file="result.json")
