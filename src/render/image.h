@@ -34,7 +34,8 @@ struct Image {
 enum class ImageFormat { Png, Jpeg, WebP };
 
 /// The bytes of an image file. `quality` 1..100 applies to Jpeg and WebP; larger looks better and
-/// takes more bytes. Same picture, same bytes. Throws InvalidInput for an empty picture.
+/// takes more bytes. Same picture, same bytes. Throws InvalidInput for an empty picture and for
+/// sides beyond 16,383 pixels.
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format, int quality = 85);
 
 /// Reads the bytes of a PNG, JPEG or WebP file. Throws ReadError when they are no picture; `name`
@@ -49,6 +50,10 @@ Image read_image(const std::filesystem::path& file);
 
 /// Pictures next to each other, tops aligned, `gap` transparent pixels between them.
 Image side_by_side(std::span<const Image> images, int gap = 0);
+
+/// The picture `times` smaller, >= 1; each pixel is the mean of those it stands for. What is left
+/// over at the right and the bottom is cut off. Throws InvalidInput when nothing is left.
+Image shrink(const Image& image, int times);
 
 /// The picture over an opaque background.
 Image flatten(const Image& image, Rgba background);

@@ -1,8 +1,8 @@
 #pragma once
 
-// What sanitizers must know about OSMesa, and about GDAL, which OpenCV's codecs bring along;
-// neither is built with them. They ask for these functions by name, so every program that draws
-// knows. Included by context.cpp only; empty in other builds.
+// What sanitizers must know about OSMesa, which is not built with them. They ask for these
+// functions by name, so every program that draws knows. Included by context.cpp only; empty in
+// other builds.
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -28,11 +28,9 @@ extern "C" const char* __lsan_default_options() { return "print_suppressions=0";
 #endif
 
 #if defined(REGARMENT_RACE_CHECK)
-// OSMesa's locks go to the kernel directly, unseen; GDAL orders its own at start-up in two ways.
+// OSMesa's locks go to the kernel directly, unseen.
 extern "C" const char* __tsan_default_suppressions();
-extern "C" const char* __tsan_default_suppressions() {
-  return "race:libOSMesa\ndeadlock:libgdal\n";
-}
+extern "C" const char* __tsan_default_suppressions() { return "race:libOSMesa\n"; }
 extern "C" const char* __tsan_default_options();
 extern "C" const char* __tsan_default_options() { return "print_suppressions=0"; }
 #endif

@@ -64,7 +64,8 @@ bool set_filter() {
         SCMP_SYS(gettid), SCMP_SYS(tgkill)}) {
     if (seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) != 0) return false;
   }
-  const auto anonymous = SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_ANONYMOUS, MAP_ANONYMOUS);
+  constexpr unsigned kFlags = 3;  // which argument of mmap they are
+  const scmp_arg_cmp anonymous{kFlags, SCMP_CMP_MASKED_EQ, MAP_ANONYMOUS, MAP_ANONYMOUS};
   return seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(mmap), 1, anonymous) == 0 &&
          seccomp_load(filter) == 0;
 }

@@ -55,7 +55,13 @@ TEST(Image, RefusesWhatIsNoPicture) {
   std::vector<std::byte> bytes = encode_image(noise(20, 20, true), ImageFormat::Png);
   bytes.resize(12);
   EXPECT_THROW(decode_image(bytes, "cut.png"), ReadError);
+  for (const ImageFormat format : {ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::WebP}) {
+    std::vector<std::byte> half = encode_image(noise(20, 20, true), format);
+    half.resize(half.size() / 2);
+    EXPECT_THROW(decode_image(half, "half"), ReadError);
+  }
   EXPECT_THROW(encode_image(Image(), ImageFormat::Png), InvalidInput);
+  EXPECT_THROW(encode_image(Image(20000, 1), ImageFormat::WebP), InvalidInput);
   EXPECT_THROW(encode_image(Image(2, 2), ImageFormat::Jpeg, 0), InvalidInput);
   EXPECT_THROW(read_image("no/such/file.png"), ReadError);
   EXPECT_THROW(write_png(Image(2, 2), "no/such/folder/file.png"), TemporaryError);
@@ -97,6 +103,20 @@ TEST(SideBySide, PutsPicturesInARowWithGaps) {
   EXPECT_EQ(row.at(7, 0).r, 2);
   EXPECT_EQ(row.at(7, 1).a, 0);
   EXPECT_TRUE(side_by_side({}).pixels.empty());
+}
+
+TEST(Shrink, TakesMeansAndCutsOffWhatIsLeft) {
+  Image image(5, 4, {0, 0, 0, 255});
+  image.at(0, 0) = {100, 40, 8, 255};
+  image.at(1, 1) = {20, 0, 80, 255};
+  image.at(4, 3) = {255, 255, 255, 255};  // beyond the last whole pixel
+  const Image small = shrink(image, 2);
+  EXPECT_EQ(small.width, 2);
+  EXPECT_EQ(small.height, 2);
+  EXPECT_EQ(small.at(0, 0), (Rgba{30, 10, 22, 255}));
+  EXPECT_EQ(small.at(1, 1), (Rgba{0, 0, 0, 255}));
+  EXPECT_EQ(shrink(image, 1), image);
+  EXPECT_THROW(shrink(image, 5), InvalidInput);
 }
 
 TEST(Flatten, BlendsByOpacity) {
