@@ -8,7 +8,22 @@
 namespace regarment {
 namespace {
 
+using Eigen::Index;
 using Eigen::Matrix3d;
+
+PaddedBlock padded(const Matrix3d& block) {
+  PaddedBlock out;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) out.row[r].lane[c] = block(r, c);
+  return out;
+}
+
+Matrix3d plain(const PaddedBlock& block) {
+  Matrix3d out;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) out(r, c) = block.row[r].lane[c];
+  return out;
+}
 
 std::vector<int> places_of(const BlockTriangle& matrix) {
   const int n = matrix.size();
@@ -64,7 +79,7 @@ BlockFactor::BlockFactor(const BlockTriangle& structure) : place_(places_of(stru
   const auto n = static_cast<std::size_t>(structure.size());
   parent_.assign(n, -1), mark_.assign(n, -1), filled_.assign(n, 0);
   pattern_.resize(n), path_.resize(n);
-  work_.assign(n, Matrix3d::Zero()), inverse_.resize(n);
+  work_.resize(n), inverse_.resize(n);
   upper_.resize(n);
   for (int j = 0; j < structure.size(); ++j)
     for (int p = structure.start[j]; p < structure.start[j + 1]; ++p) {
@@ -90,10 +105,10 @@ int BlockFactor::gather(const BlockTriangle& matrix, int column) {
   int top = static_cast<int>(pattern_.size());
   mark_[column] = column;
   for (const Upper& entry : upper_[column]) {
-    if (entry.transposed)
-      work_[entry.row] += matrix.below[entry.entry].transpose();
-    else
-      work_[entry.row] += matrix.below[entry.entry];
+    const Matrix3d& block = matrix.below[entry.entry];
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        work_[entry.row].row[r].lane[c] += entry.transposed ? block(c, r) : block(r, c);
     int length = 0;
     for (int i = entry.row; mark_[i] != column; i = parent_[i]) {
       path_[length++] = i;
@@ -111,21 +126,18 @@ bool BlockFactor::factorize(const BlockTriangle& matrix) {
   std::vector<int> block_at(place_.size());
   for (int b = 0; b < n; ++b) block_at[place_[b]] = b;
   for (int k = 0; k < n; ++k) {
-    Matrix3d pivot = matrix.diagonal[block_at[k]];
+    PaddedBlock pivot = padded(matrix.diagonal[block_at[k]]);
     for (int s = gather(matrix, k); s < n; ++s) {
       const int i = pattern_[s];
-      const Matrix3d y = work_[i];
-      work_[i].setZero();
       const int end = start_[i] + filled_[i];
-      for (int p = start_[i]; p < end; ++p) work_[row_[p]].noalias() -= lower_[p] * y;
-      lower_[end].noalias() = y.transpose() * inverse_[i];
-      pivot.noalias() -= lower_[end] * y;
+      eliminate_block({&lower_[start_[i]], &row_[start_[i]], filled_[i]}, i, inverse_[i],
+                      work_.data(), lower_[end], pivot);
       row_[end] = k;
       ++filled_[i];
     }
-    const Eigen::LLT<Matrix3d> root(pivot);
+    const Eigen::LLT<Matrix3d> root(plain(pivot));
     if (root.info() != Eigen::Success) {
-      std::fill(work_.begin(), work_.end(), Matrix3d::Zero());
+      std::fill(work_.begin(), work_.end(), PaddedBlock());
       return false;
     }
     inverse_[k] = root.solve(Matrix3d::Identity());
@@ -135,20 +147,22 @@ bool BlockFactor::factorize(const BlockTriangle& matrix) {
 
 Eigen::MatrixXd BlockFactor::solve(const Eigen::MatrixXd& b) const {
   const auto n = static_cast<int>(place_.size());
-  const Eigen::Index columns = b.cols();
-  Eigen::Matrix3Xd x(3, n * columns);  // the columns of each block beside each other
-  const auto of = [&](int k) { return x.middleCols(k * columns, columns); };
-  for (int i = 0; i < n; ++i) of(place_[i]) = b.middleRows<3>(3 * static_cast<Eigen::Index>(i));
-  for (int k = 0; k < n; ++k)
-    for (int p = start_[k]; p < start_[k + 1]; ++p)
-      of(row_[p]).noalias() -= lower_[p].lazyProduct(of(k));
-  for (int k = n - 1; k >= 0; --k) {
-    of(k) = (inverse_[k] * of(k)).eval();
-    for (int p = start_[k]; p < start_[k + 1]; ++p)
-      of(k).noalias() -= lower_[p].transpose().lazyProduct(of(row_[p]));
+  const FactorView view{n, start_.data(), row_.data(), lower_.data(), inverse_.data()};
+  Eigen::MatrixXd out(b.rows(), b.cols());
+  for (Index first = 0; first < b.cols(); first += 4 * kMostWidth) {
+    const Index columns = std::min<Index>(b.cols() - first, 4 * kMostWidth);
+    const auto width = static_cast<int>((columns + 3) / 4);
+    std::vector<FourNumbers> x(static_cast<std::size_t>(n) * 3 * width);
+    const auto of = [&](Index row, Index c) -> double& {
+      const Index block = place_[row / 3];
+      return x[(3 * block + row % 3) * width + c / 4].lane[c % 4];
+    };
+    for (Index c = 0; c < columns; ++c)
+      for (Index row = 0; row < b.rows(); ++row) of(row, c) = b(row, first + c);
+    solve_blocks(view, width, x.data());
+    for (Index c = 0; c < columns; ++c)
+      for (Index row = 0; row < b.rows(); ++row) out(row, first + c) = of(row, c);
   }
-  Eigen::MatrixXd out(b.rows(), columns);
-  for (int i = 0; i < n; ++i) out.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = of(place_[i]);
   return out;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "joint/block_kernels.h"
+
 namespace regarment {
 
 /// Symmetric matrix of 3 x 3 blocks, as couplings between n particles are; the lower triangle with
@@ -53,7 +55,7 @@ class BlockFactor {
   std::vector<int> start_, row_, filled_;  // of L, by columns
   std::vector<Eigen::Matrix3d> lower_;     // of L, as row_
   std::vector<Eigen::Matrix3d> inverse_;   // of D's blocks
-  std::vector<Eigen::Matrix3d> work_;      // all zero between columns
+  std::vector<PaddedBlock> work_;          // all zero between columns
   std::vector<int> mark_, pattern_, path_;
 };
 

@@ -51,9 +51,23 @@ TEST(BlockFactor, SolvesAsADenseMatrixDoes) {
   const Problem problem(9, 7, 4.0);
   BlockFactor factor(problem.blocks);
   ASSERT_TRUE(factor.factorize(problem.blocks));
-  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(problem.dense.rows(), 4);
-  const Eigen::MatrixXd x = factor.solve(b);
-  EXPECT_LT((problem.dense * x - b).cwiseAbs().maxCoeff(), 1e-11);
+  // Columns are solved four to a register, and sixteen at once.
+  for (const int columns : {1, 3, 4, 5, 12, 13, 16, 17, 40}) {
+    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(problem.dense.rows(), columns);
+    const Eigen::MatrixXd x = factor.solve(b);
+    ASSERT_EQ(x.cols(), columns);
+    EXPECT_LT((problem.dense * x - b).cwiseAbs().maxCoeff(), 1e-11) << columns << " columns";
+  }
+  EXPECT_EQ(factor.solve(Eigen::MatrixXd(problem.dense.rows(), 0)).cols(), 0);
+}
+
+TEST(BlockFactor, SolvesAColumnTheSameAmongOthersAsAlone) {
+  const Problem problem(9, 7, 4.0);
+  BlockFactor factor(problem.blocks);
+  ASSERT_TRUE(factor.factorize(problem.blocks));
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(problem.dense.rows(), 11);
+  const Eigen::MatrixXd together = factor.solve(b);
+  for (Eigen::Index c = 0; c < b.cols(); ++c) EXPECT_EQ(factor.solve(b.col(c)), together.col(c));
 }
 
 TEST(BlockFactor, TakesOtherFiguresOfTheSameStructure) {
