@@ -27,7 +27,7 @@ const jobsOf = async (batch) => {
   do {
     const query = new URLSearchParams({ batch, state: 'succeeded', limit: '200', ...(after ? { after } : {}) });
     const { jobs, next } = await get(`/v1/jobs?${query}`);
-    all.push(...jobs);
+    all.push(...jobs.filter(({ kind }) => kind === 'fit' || kind === 'refit'));
     after = next;
   } while (after);
   return all;

@@ -36,6 +36,19 @@ byId('compare').addEventListener('submit', async (event) => {
   }
 });
 
+byId('make-page').addEventListener('click', async () => {
+  const body = new FormData();
+  const truth = byId('truth').files[0];
+  if (truth) body.append('ground_truth', truth);
+  byId('comparing').textContent = 'Asking for the page …';
+  try {
+    const job = await send(`/v1/batches/${encodeURIComponent(byId('batch').value)}/evaluation`, body, () => {});
+    location.assign(`/jobs/${job.id}`);
+  } catch (error) {
+    byId('comparing').textContent = error.message;
+  }
+});
+
 const begin = async () => {
   const [{ jobs }, { batches }] = await Promise.all([get('/v1/jobs?kind=evaluate&limit=50'), get('/v1/batches')]);
   byId('sets').replaceChildren(...jobs.map((job) => make('li', {},
@@ -46,7 +59,7 @@ const begin = async () => {
   byId('batch').replaceChildren(...batches.map((batch) => make('option', {
     value: batch.id, textContent: `${batch.name} (${batch.jobs.succeeded} of ${count(batch)} succeeded, ${since(batch.created)})`,
   })));
-  byId('compare').querySelector('button').disabled = batches.length === 0;
+  for (const button of byId('compare').querySelectorAll('button')) button.disabled = batches.length === 0;
   if (batches.length === 0) byId('batch').append(make('option', { value: '', textContent: 'no batch yet: send several scans at once' }));
 };
 

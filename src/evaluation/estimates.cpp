@@ -1,5 +1,6 @@
 #include "evaluation/estimates.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -77,6 +78,21 @@ bool place(const CsvTable& table, std::size_t row, const FoundDimension& estimat
   return true;
 }
 
+// A page that is opened must not run what a table says: no other scheme than of the web.
+std::string report_of(const CsvTable& table, std::size_t row) {
+  std::string address(table.cell(row, "report"));
+  const std::size_t colon = address.find(':');
+  const bool scheme = colon != std::string::npos && colon < address.find_first_of("/?#");
+  const bool web = address.starts_with("https://") || address.starts_with("http://");
+  const bool plain = std::none_of(address.begin(), address.end(), [](char c) {
+    return static_cast<unsigned char>(c) <= ' ' || c == '\\' || c == 0x7f;
+  });
+  if (!plain || (scheme && !web))
+    throw ReadError(table.where(row, "report") +
+                    ": is no address; give https://..., or a path without spaces");
+  return address;
+}
+
 using RowsOfScan = std::map<std::string, std::vector<std::size_t>>;
 
 // The scans in the order of their first rows, and the rows of each.
@@ -110,6 +126,9 @@ std::vector<EvaluatedScan> compare_estimates(const CsvTable& truth,
     for (const std::size_t row : rows[scan.about.scan.string()]) {
       const auto estimate = estimate_of(estimates, row);
       if (estimate && place(estimates, row, *estimate, scan)) any = true, ++placed;
+      if (std::string report = report_of(estimates, row); !report.empty()) {
+        scan.report = std::move(report);
+      }
     }
     if (!any) scan.failure = {"no estimate", 0, "the table has no estimate for this scan"};
     if (!any) scan.found.clear();

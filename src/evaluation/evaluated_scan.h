@@ -80,7 +80,7 @@ struct EvaluatedScan {
   std::optional<LabelAgreement> labels;
   std::optional<bool> frame_right;  // units, up and front; none where the truth is not known
   std::optional<double> seconds;
-  bool has_report = false;  // fits/NAME/report.html is there
+  std::string report;  // where its report is, seen from the page; empty: there is none
 
   /// Mean absolute error of the dimensions the scan shows, cm; none where there is none.
   std::optional<double> mean_error_cm() const;

@@ -85,7 +85,12 @@ Json scan_json(const EvaluatedScan& scan) {
   }
   if (scan.frame_right) out["frame_right"] = *scan.frame_right;
   if (scan.seconds) out["seconds"] = number(scan.seconds);
-  if (scan.has_report) out["fit"] = "fits/" + scan.about.name;
+  const std::string fit = "fits/" + scan.about.name;
+  if (scan.report == fit + "/report.html") {
+    out["fit"] = fit;
+  } else if (!scan.report.empty()) {
+    out["report"] = scan.report;
+  }
   Json dimensions = Json::array();
   for (std::size_t d = 0; d < scan.about.dimensions.size(); ++d) {
     dimensions.push_back(dimension_json(scan, d));

@@ -44,8 +44,8 @@ Gaps gaps_of(const Row& row) {
   Gaps out;
   out.set("name", measurement_name(truth));
   out.set("scan", row.scan->about.name);
-  out.set("has_report", row.scan->has_report);
-  out.set("link", "fits/" + row.scan->about.name + "/report.html");
+  out.set("has_report", !row.scan->report.empty());
+  out.set("link", row.scan->report);
   out.set("truth", fixed_text(truth.truth_cm, 1));
   out.set("estimate", fixed_text(row.found->value_cm, 1));
   out.set("interval", row.found->low_cm ? fixed_text(*row.found->low_cm, 1) + "\u2009–\u2009" +

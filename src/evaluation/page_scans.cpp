@@ -53,8 +53,8 @@ void set_common(const EvaluatedScan& scan, Gaps& out) {
   out.set("kind", scan.about.kind);
   out.set("garments", words(scan.about.garments));
   out.set_maybe("damage", words(scan.about.damage));
-  out.set("has_report", scan.has_report);
-  out.set("link", "fits/" + scan.about.name + "/report.html");
+  out.set("has_report", !scan.report.empty());
+  out.set("link", scan.report);
   out.set("error", figure_text(scan.mean_error_cm(), 2));
   const auto& labels = scan.labels;
   out.set("with_iou", labels.has_value());

@@ -128,7 +128,7 @@ EvaluatedScan finished_scan(const EvaluationCase& about, const fs::path& folder)
       out.frame_right = about.frame.agrees(result.scan.units, result.scan.up, result.scan.front);
     if (!result.timing_s.empty()) out.seconds = result.timing_s.back().second;
     if (about.labels) out.labels = agreement(about, result, folder);
-    out.has_report = true;
+    out.report = "fits/" + about.name + "/report.html";
     return out;
   } catch (const ReadError& error) {
     return without_result(

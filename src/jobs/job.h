@@ -39,7 +39,8 @@ bool has_ended(JobState state);
 ///   fit       the scan of its folder
 ///   refit     the result of the job `source`, with other options
 ///   render    pictures of the scan from four sides
-///   evaluate  the table `truth.csv` of its folder with the scans beside it
+///   evaluate  the table `truth.csv` of its folder with the scans beside it; of a batch: its
+///             finished fits as they are (batch_tables.h)
 enum class JobKind { Fit, Refit, Render, Evaluate };
 std::string_view name_of(JobKind kind);
 std::optional<JobKind> job_kind_named(std::string_view name);

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "base/error.h"
+#include "jobs/batch_tables.h"
 #include "jobs/job_options.h"
 #include "jobs/job_store.h"
 
@@ -27,8 +28,8 @@ void add(Words& words, const std::string& option, const std::string& value) {
 void add_fit(const Job& job, const JobFolders& folders, Words& words) {
   words.push_back(folders.scan(job.id));
   for (const std::string& garment : job.garments) add(words, "--garment", garment);
-  const std::string name = fs::path(job.name).filename().string().substr(0, kLongestName);
-  if (!name.empty() && name != "." && name != "..") add(words, "--name", name);
+  const std::string name = scan_name_of(job.name);
+  if (!name.empty()) add(words, "--name", name);
   const fs::path folder = folders.job(job.id);
   if (is_file(folder / "truth.csv")) add(words, "--ground-truth", folder / "truth.csv");
   if (is_file(folder / "labels.u8")) add(words, "--ground-truth-labels", folder / "labels.u8");
@@ -44,7 +45,12 @@ void add_refit(const Job& job, const JobFolders& folders, JobStore& store, Words
   words.push_back(folders.result(*source));
 }
 
-void add_evaluate(const Job& job, const JobFolders& folders, Words& words) {
+void add_evaluate(const Job& job, const JobFolders& folders, JobStore& store, Words& words) {
+  if (!job.batch.empty()) {
+    const BatchTables tables = write_batch_tables(job, folders, store);
+    words.push_back(tables.truth);
+    return add(words, "--estimates", tables.results);
+  }
   const fs::path folder = folders.job(job.id);
   if (!is_file(folder / "truth.csv")) {
     throw ReadError("the evaluation has no table in its folder; send the table again");
@@ -55,6 +61,11 @@ void add_evaluate(const Job& job, const JobFolders& folders, Words& words) {
 }
 
 }  // namespace
+
+std::string scan_name_of(const std::string& name) {
+  std::string out = fs::path(name).filename().string().substr(0, kLongestName);
+  return out == "." || out == ".." ? "" : out;
+}
 
 std::vector<std::string> job_command(const Job& job, const JobFolders& folders, JobStore& store,
                                      const fs::path& program, int threads) {
@@ -70,7 +81,7 @@ std::vector<std::string> job_command(const Job& job, const JobFolders& folders, 
       words.push_back(folders.scan(job.id));
       break;
     case JobKind::Evaluate:
-      add_evaluate(job, folders, words);
+      add_evaluate(job, folders, store, words);
       break;
   }
   add(words, "--out", folders.result(job));

@@ -18,4 +18,9 @@ class JobStore;
 std::vector<std::string> job_command(const Job& job, const JobFolders& folders, JobStore& store,
                                      const std::filesystem::path& program, int threads);
 
+/// What a fit calls the scan that its sender calls `name`: the last part of it as a path, of at
+/// most 200 bytes. Empty: nothing that could be a file's name; the fit calls it as its file is
+/// called.
+std::string scan_name_of(const std::string& name);
+
 }  // namespace regarment

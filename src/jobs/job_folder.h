@@ -15,6 +15,7 @@ namespace regarment {
 ///                       truth.csv    the true dimensions, where given
 ///                       labels.u8    the true labels, where given
 ///                       scans/       of an evaluation: the scans of the table
+///                       tables/      of an evaluation of a batch: what it compares
 ///                       result-N/    what the command wrote under the claim with token N; appears
 ///                                    whole, and counts once the job succeeded under this token
 /// Ids that are none throw InvalidInput. Names come from us alone, but for the scans of an

@@ -171,4 +171,11 @@ std::string csv_text(std::string_view text) {
   return out + '"';
 }
 
+std::string csv_exact(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) out.append(c == '"' ? 2 : 1, c);
+  return out + "\"";
+}
+
 }  // namespace regarment

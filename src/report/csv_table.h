@@ -44,5 +44,8 @@ class CsvTable {
 /// One cell as it is written: quoted where CSV asks for it, and text that a spreadsheet would run
 /// as a formula (it begins with = + - @, tab or carriage return) gets an apostrophe in front.
 std::string csv_text(std::string_view text);
+/// One cell that CsvTable reads back as it is, whatever it begins with: for programs, not for
+/// people.
+std::string csv_exact(std::string_view text);
 
 }  // namespace regarment

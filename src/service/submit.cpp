@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/one_line.h"
+#include "jobs/job_command.h"
 #include "report/files.h"
 #include "service/job_json.h"
 #include "service/truth_table.h"
@@ -89,7 +90,9 @@ Response submit(const Service& service, const Call& call, Upload& upload) {
   job.name = scan_name(upload);
   job.owner = call.caller.key.id;
   place_scan(upload, kScan, upload.folder() / kScan);
-  place_truth(upload, placed_name(upload.folder()));
+  // The table names the scan as its fit does.
+  const std::string told = scan_name_of(job.name);
+  place_truth(upload, told.empty() ? placed_name(upload.folder()) : told);
   return queue_job(service, std::move(job), upload, call.request);
 }
 

@@ -11,6 +11,11 @@ std::unique_ptr<Exchange> begin_job(const Service& service, const Call& call);
 /// Begins POST /v1/evaluations: a table of truth and its scans.
 std::unique_ptr<Exchange> begin_evaluation(const Service& service, const Call& call);
 
+/// Begins POST /v1/batches/{id}/evaluation: the finished fits of `batch`, which is the caller's to
+/// see, beside their truth; nothing is fitted again.
+std::unique_ptr<Exchange> begin_batch_evaluation(const Service& service, const Call& call,
+                                                 const Batch& batch);
+
 /// POST /v1/jobs/{id}/refit: the result of a job fitted again with other options, as a new job.
 Response submit_refit(const Service& service, const Call& call);
 

@@ -51,6 +51,8 @@ const visit = async (address, options = {}) => {
 };
 
 const api = async (address) => (await fetch(`${home}/v1${address}`)).json();
+const post = async (address, body) => (await fetch(`${home}/v1${address}`, { method: 'POST', body,
+  headers: typeof body === 'string' ? { 'Content-Type': 'application/json' } : {} })).json();
 const newest = async () => (await api('/jobs?limit=1')).jobs[0];
 
 const submit = async (page, file, garment) => {
@@ -202,6 +204,30 @@ describe('service', () => {
     await page.waitForURL(`${home}/`);
     await page.locator('#jobs tr').first().waitFor();
     assert.equal(await page.locator('#jobs', { hasText: 'broken.ply' }).count(), 0);
+    await close();
+  });
+
+  it('makes one page of the finished fits of a batch', async () => {
+    const [batch, body] = [await post('/batches', '{"name":"of one"}'), new FormData()];
+    for (const [name, value] of Object.entries({ garments: '["skirt"]', options: '{"method":"direct"}', batch: batch.id })) body.append(name, value);
+    body.append('scan', new Blob([fs.readFileSync(scan)]), path.basename(scan));
+    const { id } = await post('/jobs', body);
+    await (await fetch(`${home}/v1/jobs/${id}/events`)).text();
+    const { page, complaints, close } = await visit('/evaluate');
+    await page.locator('#batch option', { hasText: 'of one' }).waitFor({ state: 'attached' });
+    await page.locator('#batch').selectOption(batch.id);
+    await page.locator('#truth').setInputFiles(path.join(process.env.EXAMPLES, 'ground_truth.csv'));
+    await page.locator('#compare button.main').click();
+    await page.locator('#rows tr').nth(3).waitFor();
+    const errors = await page.locator('#rows [data-name="Error, cm"]').allTextContents();
+    await page.locator('#make-page').click();
+    await page.waitForURL(/\/jobs\/[0-9a-f]{24}$/);
+    await page.locator('#links a.main').click(kFit);
+    const link = page.locator(`a[href="/v1/jobs/${id}/report"]`).first();
+    await link.waitFor();
+    const worst = Math.max(...errors.map((text) => Math.abs(Number(text.replace('\u2212', '-')))));
+    assert.ok((await page.locator('body').textContent()).includes(worst.toFixed(1)), `no error of ${worst}`);
+    assert.deepEqual(complaints, []);
     await close();
   });
 

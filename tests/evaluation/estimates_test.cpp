@@ -40,6 +40,17 @@ TEST(Estimates, MayStandUnderTheNameOfTheTruth) {
   EXPECT_EQ(scans.at(0).found.at(0)->value_cm, 95);
 }
 
+TEST(Estimates, MaySayWhereTheReportIs) {
+  const std::string head = "scan,measurement,value_cm,report\n";
+  for (const char* address : {"/v1/jobs/1/report", "a/b.html#x:y", "https://a.b/c", ""}) {
+    EXPECT_EQ(compare(head + "b,hip,95," + address + "\n").at(0).report, address);
+  }
+  for (const char* address : {"javascript:alert(1)", "JavaScript:x", "data:text/html,x", "a b",
+                              "java\tscript:x", "\\\\host"}) {
+    EXPECT_THROW(compare(head + "b,hip,95,\"" + address + "\"\n"), ReadError) << address;
+  }
+}
+
 TEST(Estimates, ThatAreMissingAreFailures) {
   const auto scans = compare("scan,measurement,value_cm\nb.mesh.ply,hip,95\nunknown,hip,1\n");
   ASSERT_EQ(scans.size(), 2u);

@@ -17,7 +17,7 @@ Evaluation everything() {
       evaluation_of({skirt_scan("a", {1, -1, 0.5, 2}), skirt_scan("b", {4, 2, 8, 1}), failed("c")});
   out.scans[0].labels = LabelAgreement{0.9, {{"person", 0.95}, {"skirt", 0.85}}, 4.0};
   out.scans[0].about.dimensions[0].published_cm = 55;
-  out.scans[0].has_report = true;
+  out.scans[0].report = "fits/a/report.html";
   out.groups = group_statistics(out.scans);
   out.gates = {{"mae_cm<=1", 2.4, false}, {"failures<=3", 1.0, true}, {"coverage>1", {}, false}};
   out.baseline = compare_with(

@@ -38,6 +38,13 @@ TEST(CsvTable, UnderstandsQuotesLineEndsMarksAndSpaces) {
   EXPECT_EQ(table.line(1), 5u);
 }
 
+TEST(CsvTable, ReadsBackWhatIsWrittenExactly) {
+  for (const std::string text :
+       {"=cmd()", "+1", "a,b", "the \"one\"", "two\nlines", "'", "plain"}) {
+    EXPECT_EQ(parse("a,b\n" + csv_exact(text) + ",1\n").cell(0, "a"), text);
+  }
+}
+
 TEST(CsvTable, ReadsNumbersAndEmptyCells) {
   const CsvTable table = parse("a\n-1.5e1\n+2\n");
   EXPECT_DOUBLE_EQ(*table.number(0, "a"), -15.0);

@@ -100,6 +100,10 @@ with Service("--workers", "0") as service:
     ask(service, "POST", "/v1/batches", 415, b"x", {"Content-Type": "text/html"})
     ask(service, "GET", "/v1/batches/{id}", 200, id=batch["id"])
     ask(service, "GET", "/v1/batches/{id}", 404, id="0" * 24)
+    for status, name in ((404, batch["id"]), (404, "0" * 24)):
+        ask(service, "GET", "/v1/batches/{id}/evaluation", status, id=name)
+    for status, name in ((409, batch["id"]), (404, "0" * 24)):
+        ask(service, "POST", "/v1/batches/{id}/evaluation", status, id=name)
 
     body, headers = scan_form(batch=batch["id"], options='{"method": "direct"}')
     fields, job = ask(service, "POST", "/v1/jobs", 202, body, headers)

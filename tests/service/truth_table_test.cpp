@@ -26,6 +26,17 @@ TEST(TruthOfScan, OneScanNeedsNoName) {
   EXPECT_EQ(truth_of_scan(table, "", "scan.obj"), kHead + "scan.obj,2,skirt,S01,1.000000,,,\n");
 }
 
+TEST(TruthOfScan, ATableOfOneScanNeedNotNameIt) {
+  EXPECT_EQ(truth_of_scan("template,value_cm,measurement\nskirt,54.5,length\n", "a.ply", "s.ply"),
+            kHead + "s.ply,,skirt,length,54.500000,,,\n");
+}
+
+TEST(TruthOfScan, KeepsNamesThatAreHardToWrite) {
+  const std::string name = "=a, \"b\"";
+  EXPECT_EQ(truth_of_scan("measurement,value_cm\nlength,1\n", "", name),
+            kHead + "\"=a, \"\"b\"\"\",,,length,1.000000,,,\n");
+}
+
 TEST(TruthOfScan, RefusesTablesThatSayNothingOfIt) {
   for (const char* table : {"", "a,b\n1,2\n", "scan,measurement,value_cm\n",
                             "scan,measurement,value_cm\na,length,1\nb,length,2\n",
