@@ -121,14 +121,15 @@ fuzz_long() {
   done
 }
 
-# The one tool that Debian does not have; without npm the tests that want it are skipped.
-install_validator() {
-  command -v npm >/dev/null || { echo "no npm: GLB files are not validated" >&2; return; }
+# What Debian does not have; without npm the tests that want it are skipped.
+install_validators() {
+  command -v npm >/dev/null || { echo "no npm: neither GLB files nor the API's description are validated" >&2; return; }
   npm ci --silent --prefix tests/exports || echo "npm failed: GLB files are not validated" >&2
+  npm ci --silent --prefix tests/service || echo "npm failed: the API's description is not validated" >&2
 }
 
 scripts/install_packages.sh build test || exit 1
-install_validator
+install_validators
 
 build release && run_tests release && check "installed library and package" tests/package/library.sh
 build asan && run_tests asan
