@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kMostHeader = 4096;  // bytes of a part's header
 constexpr int kMostParts = 32;
 constexpr std::size_t kLongestBoundary = 70;
-constexpr std::string_view kLineEnd = "\r\n";
+constexpr std::string_view kLineEnd = "\r\n", kHeaderEnd = "\r\n\r\n";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw HttpProblem(400, "bad_multipart",
@@ -107,12 +107,14 @@ bool FormParser::read_after_boundary() {
 
 bool FormParser::read_header() {
   const std::string_view rest = std::string_view(waiting_).substr(consumed_);
-  const std::size_t end = rest.find("\r\n\r\n");
-  if (end == std::string_view::npos ? rest.size() > kMostHeader : end > kMostHeader)
+  const std::size_t end = rest.find(kHeaderEnd);
+  // Of the longest header all but the last byte of its end may be here.
+  const std::size_t most = kMostHeader + kHeaderEnd.size() - 1;
+  if (end == std::string_view::npos ? rest.size() > most : end > kMostHeader)
     refuse("has a part with a header of more than 4 KiB");
   if (end == std::string_view::npos) return false;
   begin_part(rest.substr(0, end));
-  consumed_ += end + 2 * kLineEnd.size();
+  consumed_ += end + kHeaderEnd.size();
   state_ = State::Data;
   return true;
 }

@@ -43,6 +43,17 @@ TEST(FormParser, TakesPartsWhateverThePieces) {
     ASSERT_EQ(take(form, piece), "a|s.ply||" + almost + ";b|-||;c|-|text/plain|1;") << piece;
 }
 
+TEST(FormParser, TakesTheLongestHeaderWhateverThePieces) {
+  const auto form = [](std::size_t header) {
+    const std::string known = "Content-Disposition: form-data; name=a\r\nX: ";
+    return "--XX\r\n" + known + std::string(header - known.size(), 'x') + "\r\n\r\n1\r\n--XX--";
+  };
+  for (const std::size_t piece : {1U, 2U, 3U, 4U, 5U, 10'000U}) {
+    EXPECT_EQ(take(form(4096), piece), "a|-||1;") << piece;
+    EXPECT_THROW(take(form(4097), piece), HttpProblem) << piece;
+  }
+}
+
 TEST(FormParser, HandsOutDataBeforeThePartEnds) {
   Taken taken;
   FormParser parser("XX", taken);

@@ -20,7 +20,7 @@ class BatchTablesTest : public testing::Test {
   // A finished fit of a skirt of this length, and of a true one where it is known.
   std::string finish(const std::string& name, double length_cm, std::optional<double> truth_cm,
                      JobKind kind = JobKind::Fit) {
-    const std::string id = queue(name, kind);
+    std::string id = queue(name, kind);
     const auto claim = store_->claim("w", 1min, 3);
     Result result = example_result();
     std::vector<ResultMeasurement>& all = result.garments[0].measurements;
