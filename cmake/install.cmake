@@ -22,6 +22,14 @@ if(NOT REGARMENT_SANITIZE AND NOT REGARMENT_FUZZ)
     COMMAND regarment completion fish > ${fish}
     DEPENDS regarment COMMENT "Writing the manual page and shell completion" VERBATIM)
   add_custom_target(shell_help ALL DEPENDS ${manual}.gz ${bash} ${zsh} ${fish})
+  # What the program consists of, for those who must know what they install.
+  set(sbom ${REGARMENT_SHARE}/doc/regarment/regarment.spdx.json)
+  file(MAKE_DIRECTORY ${REGARMENT_SHARE}/doc/regarment)
+  add_custom_command(OUTPUT ${sbom}
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom.py $<TARGET_FILE:regarment> ${PROJECT_VERSION} > ${sbom}
+    DEPENDS regarment ${PROJECT_SOURCE_DIR}/scripts/sbom.py
+    COMMENT "Writing the bill of materials" VERBATIM)
+  add_custom_target(sbom ALL DEPENDS ${sbom})
 endif()
 
 install(TARGETS regarment RUNTIME COMPONENT program)
