@@ -57,7 +57,8 @@ std::string disk(const ServiceConfig& config) {
 std::string store(const ServiceConfig& config) {
   const auto store = open_job_store(config.store_or_default());
   store->check_writable();
-  std::string line = "schema " + std::to_string(store->schema_version());
+  std::string line = shown_store(config.store_or_default()) + ", schema " +
+                     std::to_string(store->schema_version());
   const QueueFacts facts = store->facts();
   for (const JobState state : kJobStates) {
     const auto count = facts.jobs[static_cast<std::size_t>(state)];
@@ -70,7 +71,7 @@ std::string workers(const ServiceConfig& config) {
   const auto store = open_job_store(config.store_or_default());
   const auto patience =
       std::chrono::milliseconds(static_cast<std::int64_t>(1000 * config.lease_seconds));
-  const auto alive = store->workers(system_time() - patience).size();
+  const auto alive = store->workers(store->time() - patience).size();
   const auto waiting = store->facts().jobs[static_cast<std::size_t>(JobState::Queued)];
   if (alive == 0 && waiting > 0) {
     throw TemporaryError(std::to_string(waiting) +

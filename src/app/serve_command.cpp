@@ -59,10 +59,11 @@ ServerOptions server_options(const ServiceConfig& config) {
   return out;
 }
 
+// The store goes by the environment: its address may hold a password, and everybody sees words.
 std::vector<std::string> worker_command(const ServeArguments& a, const ServiceConfig& config) {
-  std::vector<std::string> out = {
-      fs::read_symlink("/proc/self/exe").string(), "worker",  "--data",
-      fs::absolute(config.data).string(),          "--store", config.store_or_default()};
+  ::setenv("REGARMENT_STORE", config.store_or_default().c_str(), 1);
+  std::vector<std::string> out = {fs::read_symlink("/proc/self/exe").string(), "worker", "--data",
+                                  fs::absolute(config.data).string()};
   if (a.place.config) out.insert(out.end(), {"--config", a.place.config->string()});
   return out;
 }
@@ -71,7 +72,7 @@ std::vector<std::string> worker_command(const ServeArguments& a, const ServiceCo
 void sweep(const Service& service) {
   const auto keep = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double, std::ratio<3600>>(service.config.keep_hours));
-  sweep_data(service.store, service.folders, keep, system_time());
+  sweep_data(service.store, service.folders, keep, service.store.time());
 }
 
 // What is done beside the requests, on the main thread, until a signal comes.

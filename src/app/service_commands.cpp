@@ -1,6 +1,7 @@
 // The commands beside `serve`: worker, key, config.
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -68,6 +69,7 @@ void run_worker_command(const WorkerArguments& a, Console& console, const StopSi
   const ServiceConfig config = read_config_of(a.place).config;
   const JobFolders folders(config.data);
   const auto store = open_job_store(config.store_or_default());
+  ::unsetenv("REGARMENT_STORE");  // no fit needs to know its password
   WorkerOptions options = WorkerOptions::from(config);
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   if (a.threads) options.threads = *a.threads;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/one_line.h"
 #include "jobs/api_key.h"
+#include "jobs/job_store.h"
 
 namespace regarment {
 
@@ -15,7 +16,8 @@ void add_place_options(CLI::App& command, ServicePlace& place) {
   command.add_option("--data", place.data,
                      "Folder of uploads, results and the store; regarment-data by default");
   command.add_option("--store", place.store,
-                     "Job store: an SQLite file; store.sqlite3 in the folder by default");
+                     "Job store: an SQLite file, or postgresql://USER@HOST/NAME for many machines; "
+                     "store.sqlite3 in the folder by default");
 }
 
 void add_serve_options(CLI::App& command, ServeArguments& a) {
@@ -78,7 +80,7 @@ ReadConfig read_config_of(const ServicePlace& place) {
     }
   };
   if (place.data) read.config.data = *place.data, said("data", place.data->string());
-  if (place.store) read.config.store = *place.store, said("store", *place.store);
+  if (place.store) read.config.store = *place.store, said("store", shown_store(*place.store));
   read.config.check();
   return read;
 }

@@ -161,7 +161,18 @@ class Attempt {
           break;
       }
     });
-    if (!ours) clear_away();
+    if (!ours && is_useless()) clear_away();
+  }
+
+  // Whether the store says that the result counts for nothing: it may have taken it although its
+  // answer was lost on the way.
+  bool is_useless() const {
+    bool useless = false;
+    until_told([&] {
+      const auto job = store_.find(job_.id);
+      useless = !job || job->state != JobState::Succeeded || job->token != token_;
+    });
+    return useless;
   }
 
   // Of this attempt alone: another may be under way by now. What is half written goes with the next

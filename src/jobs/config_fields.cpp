@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/one_line.h"
+#include "jobs/job_store.h"
 
 namespace regarment {
 namespace {
@@ -104,7 +105,7 @@ std::string ConfigField::text(const ServiceConfig& config) const {
         } else if constexpr (std::is_same_v<Value, std::filesystem::path>) {
           return value.string();
         } else {
-          return value;
+          return std::string_view(name) == "store" ? shown_store(value) : value;
         }
       },
       member);

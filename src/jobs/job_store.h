@@ -72,10 +72,11 @@ struct QueueFacts {
 
 /// Where jobs, their events, reviews, batches and the API keys are kept, shared by servers and
 /// workers. Any thread of any process may call anything; each call is one transaction, durable when
-/// it returns. Times come from the clock the store was opened with. Calls that name something that
-/// is not there answer empty or false. All throw TemporaryError when the store is away, locked for
-/// too long, or its disk is full; then nothing of the call has happened. Text arguments may hold
-/// any bytes but are no longer than 1 MiB (InvalidInput).
+/// it returns. Times come from the clock the store was opened with, else from the database's
+/// machine, so that leases hold between machines whose clocks differ. Calls that name something
+/// that is not there answer empty or false. All throw TemporaryError when the store is away, locked
+/// for too long, or its disk is full; then nothing of the call has happened. Text arguments may
+/// hold any bytes but are no longer than 1 MiB (InvalidInput).
 class JobStore {
  public:
   virtual ~JobStore() = default;
@@ -112,6 +113,8 @@ class JobStore {
   /// Throws TemporaryError unless something can be written now.
   virtual void check_writable() = 0;
   virtual int schema_version() = 0;
+  /// What the store takes for now: the time to compare its times with.
+  virtual JobTime time() = 0;
 
   virtual Batch create_batch(std::string_view name, std::string_view owner) = 0;
   virtual std::optional<Batch> find_batch(std::string_view id) = 0;
@@ -160,9 +163,13 @@ class JobStore {
 };
 
 /// Opens the store that `where` names, and makes or migrates it: a path is an SQLite file (its
-/// folder is made), "postgresql://..." a PostgreSQL database. Throws UsageError when `where` names
-/// no store of this build, the place is not writable, the file is something else, or its schema is
-/// newer than this program; TemporaryError when it is away.
-std::unique_ptr<JobStore> open_job_store(const std::string& where, JobClock clock = system_time);
+/// folder is made), "postgresql://..." a PostgreSQL database, whose schema "regarment" is ours.
+/// Throws UsageError when `where` names no store of this build, the place is not writable, is
+/// something else, or its schema is newer than this program; TemporaryError when it is away.
+/// `clock` empty: see JobStore.
+std::unique_ptr<JobStore> open_job_store(const std::string& where, JobClock clock = {});
+
+/// `where` fit to be shown and logged: without the password of an address.
+std::string shown_store(const std::string& where);
 
 }  // namespace regarment

@@ -14,7 +14,7 @@ namespace regarment {
 /// line, environment, file, these defaults.
 struct ServiceConfig {
   std::filesystem::path data = "regarment-data";  // folder of all files
-  std::string store;                              // job store; empty: an SQLite file in `data`
+  std::string store;                     // job store (job_store.h); empty: SQLite in `data`
   std::string bind = "127.0.0.1";        // address; any other than a loopback one needs an API key
   int port = 8080;                       // 0: any that is free
   int http_threads = 2;                  // of the server, 1 to 64
@@ -39,7 +39,8 @@ struct ServiceConfig {
   std::string store_or_default() const;
 };
 
-/// One field of the config as text, and who set it: "default", "file", "environment".
+/// One field of the config as text, fit to be shown, and who set it: "default", "file",
+/// "environment".
 struct ConfigEntry {
   std::string name, value, from;
 };

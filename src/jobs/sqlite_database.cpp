@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kBusyMilliseconds = 10000;
-constexpr std::size_t kLongestText = std::size_t{1} << 20U;
+constexpr std::int64_t kApplication = 0x52474d54;  // "RGMT"
 
 std::string shown(const fs::path& file) { return one_line(file.string(), 300); }
 
@@ -39,6 +39,54 @@ void make_file(const fs::path& file) {
   }
   throw UsageError(message + "; name another --store, or another --data");
 }
+
+/// Finalised with its statement, so that no lock is left behind.
+class SqliteCursor : public SqlCursor {
+ public:
+  SqliteCursor(const SqliteDatabase& database, sqlite3* handle, std::string_view sql)
+      : database_(database) {
+    database_.check(
+        sqlite3_prepare_v2(handle, sql.data(), static_cast<int>(sql.size()), &statement_, nullptr));
+  }
+  ~SqliteCursor() override { sqlite3_finalize(statement_); }
+  SqliteCursor(const SqliteCursor&) = delete;
+  SqliteCursor& operator=(const SqliteCursor&) = delete;
+
+  void bind_integer(std::int64_t value) override {
+    database_.check(sqlite3_bind_int64(statement_, ++bound_, value));
+  }
+  void bind_real(double value) override {
+    database_.check(sqlite3_bind_double(statement_, ++bound_, value));
+  }
+  void bind_text(std::string_view value) override {
+    database_.check(sqlite3_bind_text(statement_, ++bound_, value.empty() ? "" : value.data(),
+                                      static_cast<int>(value.size()), SQLITE_TRANSIENT));
+  }
+  bool step() override {
+    const int code = sqlite3_step(statement_);
+    database_.check(code);
+    return code == SQLITE_ROW;
+  }
+  std::int64_t integer(int column) const override {
+    return sqlite3_column_int64(statement_, column);
+  }
+  double real(int column) const override { return sqlite3_column_double(statement_, column); }
+  std::string text(int column) const override {
+    const void* bytes = sqlite3_column_blob(statement_, column);
+    const int size = sqlite3_column_bytes(statement_, column);
+    return bytes == nullptr
+               ? std::string()
+               : std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+  }
+  bool is_null(int column) const override {
+    return sqlite3_column_type(statement_, column) == SQLITE_NULL;
+  }
+
+ private:
+  const SqliteDatabase& database_;
+  sqlite3_stmt* statement_ = nullptr;
+  int bound_ = 0;
+};
 
 }  // namespace
 
@@ -66,7 +114,7 @@ void SqliteDatabase::share() {
   constexpr int kTries = 200, kPauseMilliseconds = 20;
   for (int tries = 1;; ++tries) {
     try {
-      SqliteStatement mode(*this, "PRAGMA journal_mode=WAL");
+      SqlStatement mode(*this, "PRAGMA journal_mode=WAL");
       if (mode.step() && mode.text(0) == "wal") return;
     } catch (const TemporaryError&) {
       if (tries == kTries) throw;
@@ -80,7 +128,7 @@ void SqliteDatabase::share() {
   }
 }
 
-void SqliteDatabase::empty_log() {
+void SqliteDatabase::wipe_deleted() {
   // Where somebody reads, the next one does it.
   sqlite3_busy_timeout(handle_, 0);
   sqlite3_wal_checkpoint_v2(handle_, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
@@ -113,79 +161,37 @@ void SqliteDatabase::check(int code) const {
   }
 }
 
+std::string SqliteDatabase::name() const { return shown(file_); }
+
+std::unique_ptr<SqlCursor> SqliteDatabase::prepare(std::string_view sql) {
+  return std::make_unique<SqliteCursor>(*this, handle_, sql);
+}
+
 void SqliteDatabase::run(const std::string& sql) {
   check(sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
-std::int64_t SqliteDatabase::number(const std::string& sql) {
-  SqliteStatement statement(*this, sql);
-  return statement.step() ? statement.integer(0) : 0;
-}
-
-int SqliteDatabase::changes() const { return sqlite3_changes(handle_); }
-
-SqliteStatement::SqliteStatement(SqliteDatabase& database, std::string_view sql)
-    : database_(database) {
-  database_.check(sqlite3_prepare_v2(database_.handle_, sql.data(), static_cast<int>(sql.size()),
-                                     &statement_, nullptr));
-}
-
-SqliteStatement::~SqliteStatement() { sqlite3_finalize(statement_); }
-
-void SqliteStatement::bind(std::int64_t value) {
-  database_.check(sqlite3_bind_int64(statement_, ++bound_, value));
-}
-
-void SqliteStatement::bind(double value) {
-  database_.check(sqlite3_bind_double(statement_, ++bound_, value));
-}
-
-void SqliteStatement::bind(std::string_view value) {
-  if (value.size() > kLongestText) throw InvalidInput("job store: a text longer than 1 MiB");
-  database_.check(sqlite3_bind_text(statement_, ++bound_, value.empty() ? "" : value.data(),
-                                    static_cast<int>(value.size()), SQLITE_TRANSIENT));
-}
-
-bool SqliteStatement::step() {
-  const int code = sqlite3_step(statement_);
-  database_.check(code);
-  return code == SQLITE_ROW;
-}
-
-void SqliteStatement::run() {
-  while (step()) {
-  }
-}
-
-std::int64_t SqliteStatement::integer(int column) const {
-  return sqlite3_column_int64(statement_, column);
-}
-
-double SqliteStatement::real(int column) const { return sqlite3_column_double(statement_, column); }
-
-std::string SqliteStatement::text(int column) const {
-  const void* bytes = sqlite3_column_blob(statement_, column);
-  const int size = sqlite3_column_bytes(statement_, column);
-  return bytes == nullptr
-             ? std::string()
-             : std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
-}
-
-bool SqliteStatement::is_null(int column) const {
-  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
-}
-
-SqliteTransaction::SqliteTransaction(SqliteDatabase& database) : database_(database) {
-  database_.run("BEGIN IMMEDIATE");
-}
-
-SqliteTransaction::~SqliteTransaction() {
+void SqliteDatabase::rollback() noexcept {
   // Some failures end a transaction by themselves; a rollback that fails leaves nothing either.
-  if (sqlite3_get_autocommit(database_.handle_) == 0) {
-    sqlite3_exec(database_.handle_, "ROLLBACK", nullptr, nullptr, nullptr);
+  if (sqlite3_get_autocommit(handle_) == 0) {
+    sqlite3_exec(handle_, "ROLLBACK", nullptr, nullptr, nullptr);
   }
 }
 
-void SqliteTransaction::commit() { database_.run("COMMIT"); }
+// An empty file is nobody's yet.
+int SqliteDatabase::schema_version() {
+  const std::int64_t version = number("PRAGMA user_version");
+  const bool ours = number("PRAGMA application_id") == kApplication ||
+                    (version == 0 && number("SELECT count(*) FROM sqlite_master") == 0);
+  if (!ours) {
+    throw UsageError(shown(file_) + ": an SQLite file of another program; name another --store");
+  }
+  return static_cast<int>(version);
+}
+
+void SqliteDatabase::set_schema_version(int version) {
+  run("PRAGMA application_id=" + std::to_string(kApplication));
+  run("PRAGMA user_version=" + std::to_string(version));
+}
 
 }  // namespace regarment

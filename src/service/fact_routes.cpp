@@ -42,7 +42,7 @@ Json check_store(const Service& service) try {
 Json check_workers(const Service& service) try {
   const auto lease = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double>(service.config.lease_seconds));
-  const std::size_t count = service.store.workers(system_time() - lease).size();
+  const std::size_t count = service.store.workers(service.store.time() - lease).size();
   return check_of("workers", count > 0, std::to_string(count) + " heard of");
 } catch (const Error&) {
   return check_of("workers", false, "not known");

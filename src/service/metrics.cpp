@@ -21,9 +21,9 @@ void gauge(std::string& out, const std::string& name, const char* help, double v
   out += name + " " + fixed_text(value, 0) + "\n";
 }
 
-double age_of_oldest(const QueueFacts& facts) {
+double age_of_oldest(const QueueFacts& facts, JobTime now) {
   if (!facts.oldest_queued) return 0;
-  return std::chrono::duration<double>(system_time() - *facts.oldest_queued).count();
+  return std::chrono::duration<double>(now - *facts.oldest_queued).count();
 }
 
 void add_queue(std::string& out, const Service& service) {
@@ -33,7 +33,7 @@ void add_queue(std::string& out, const Service& service) {
     out += "regarment_jobs{state=\"" + std::string(name_of(kJobStates[i])) + "\"} " +
            std::to_string(facts.jobs[i]) + "\n";
   gauge(out, "regarment_oldest_queued_seconds", "How long the first of the queue has waited.",
-        age_of_oldest(facts));
+        age_of_oldest(facts, service.store.time()));
   gauge(out, "regarment_job_bytes", "Bytes of the files of all jobs.",
         static_cast<double>(facts.bytes));
   gauge(out, "regarment_disk_free_bytes", "Bytes free on the disk of the jobs.",
@@ -41,7 +41,7 @@ void add_queue(std::string& out, const Service& service) {
   const auto lease = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double>(service.config.lease_seconds));
   gauge(out, "regarment_workers", "Workers that were heard of within a lease.",
-        static_cast<double>(service.store.workers(system_time() - lease).size()));
+        static_cast<double>(service.store.workers(service.store.time() - lease).size()));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 using KeyTest = JobStoreTest;
 
-TEST_P(KeyTest, OpensWithTheSecretAndNothingElse) {
+TEST_F(KeyTest, OpensWithTheSecretAndNothingElse) {
   const std::string text = issue_key(*store_, "scanner", {Scope::Submit, Scope::Read});
   const auto key = find_presented_key(*store_, text);
   ASSERT_TRUE(key);
@@ -26,7 +26,7 @@ TEST_P(KeyTest, OpensWithTheSecretAndNothingElse) {
   EXPECT_FALSE(find_presented_key(*store_, std::string(5000, 'x')));
 }
 
-TEST_P(KeyTest, StoresNoSecret) {
+TEST_F(KeyTest, StoresNoSecret) {
   const std::string text = issue_key(*store_, "k", {Scope::Admin});
   const auto stored = store_->find_key(text.substr(4, 12));
   ASSERT_TRUE(stored);
@@ -35,7 +35,7 @@ TEST_P(KeyTest, StoresNoSecret) {
   EXPECT_TRUE(stored->key.may(Scope::Review));  // an administrator may everything
 }
 
-TEST_P(KeyTest, ClosesOnceRevoked) {
+TEST_F(KeyTest, ClosesOnceRevoked) {
   const std::string text = issue_key(*store_, "k", {Scope::Read});
   issue_key(*store_, "l", {Scope::Read});
   const std::string id = find_presented_key(*store_, text)->id;
@@ -47,15 +47,12 @@ TEST_P(KeyTest, ClosesOnceRevoked) {
   EXPECT_FALSE(store_->keys()[1].revoked);
 }
 
-TEST_P(KeyTest, NeedsANameAndAScope) {
+TEST_F(KeyTest, NeedsANameAndAScope) {
   EXPECT_THROW(issue_key(*store_, "", {Scope::Read}), UsageError);
   EXPECT_THROW(issue_key(*store_, std::string(101, 'x'), {Scope::Read}), UsageError);
   EXPECT_THROW(issue_key(*store_, "k", {}), UsageError);
   EXPECT_TRUE(store_->keys().empty());
 }
-
-INSTANTIATE_TEST_SUITE_P(Sqlite, KeyTest, testing::Values(&sqlite_place),
-                         [](const auto&) { return "Sqlite"; });
 
 }  // namespace
 }  // namespace regarment

@@ -225,7 +225,7 @@ Count count(const JobFolders& folders, JobStore& store) {
 
 bool is_sound(const fs::path& file) {
   SqliteDatabase database(file);
-  SqliteStatement check(database, "PRAGMA integrity_check");
+  SqlStatement check(database, "PRAGMA integrity_check");
   return check.step() && check.text(0) == "ok";
 }
 

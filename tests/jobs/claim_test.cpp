@@ -8,7 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 using ClaimTest = JobStoreTest;
 
-TEST_P(ClaimTest, GivesTheJobThatWaitsLongestToOne) {
+TEST_F(ClaimTest, GivesTheJobThatWaitsLongestToOne) {
   const std::string first = queue(), second = queue();
   const auto a = store_->claim("w1", kLease, kAttempts);
   const auto b = store_->claim("w2", kLease, kAttempts);
@@ -22,7 +22,7 @@ TEST_P(ClaimTest, GivesTheJobThatWaitsLongestToOne) {
   EXPECT_FALSE(store_->claim("w3", kLease, kAttempts));
 }
 
-TEST_P(ClaimTest, LendsAJobUntilItsLeaseIsOver) {
+TEST_F(ClaimTest, LendsAJobUntilItsLeaseIsOver) {
   const std::string id = queue();
   const auto first = store_->claim("w1", kLease, kAttempts);
   time_.pass(kLease - 1ms);
@@ -38,7 +38,7 @@ TEST_P(ClaimTest, LendsAJobUntilItsLeaseIsOver) {
   EXPECT_GT(second->token, first->token);
 }
 
-TEST_P(ClaimTest, RefusesEverythingUnderAnOldToken) {
+TEST_F(ClaimTest, RefusesEverythingUnderAnOldToken) {
   const std::string id = queue();
   const std::int64_t old = store_->claim("w1", kLease, kAttempts)->token;
   time_.pass(kLease);
@@ -58,7 +58,7 @@ TEST_P(ClaimTest, RefusesEverythingUnderAnOldToken) {
 }
 
 // Nobody else took it meanwhile: the worker was only slow.
-TEST_P(ClaimTest, TakesAResultAfterALeaseThatNobodyTookUp) {
+TEST_F(ClaimTest, TakesAResultAfterALeaseThatNobodyTookUp) {
   const std::string id = queue();
   const auto claim = store_->claim("w1", kLease, kAttempts);
   time_.pass(kLease + 1h);
@@ -69,7 +69,7 @@ TEST_P(ClaimTest, TakesAResultAfterALeaseThatNobodyTookUp) {
   EXPECT_EQ(job->token, claim->token);
 }
 
-TEST_P(ClaimTest, ParksAJobWhoseWorkersAllFellSilent) {
+TEST_F(ClaimTest, ParksAJobWhoseWorkersAllFellSilent) {
   const std::string id = queue();
   for (int i = 0; i < kAttempts; ++i) {
     ASSERT_TRUE(store_->claim("w", kLease, kAttempts));
@@ -80,7 +80,7 @@ TEST_P(ClaimTest, ParksAJobWhoseWorkersAllFellSilent) {
   EXPECT_EQ(store_->find(id)->error->code, "worker_lost");
 }
 
-TEST_P(ClaimTest, ParksAJobWithTheReasonOfItsLastAttempt) {
+TEST_F(ClaimTest, ParksAJobWithTheReasonOfItsLastAttempt) {
   const std::string id = queue();
   for (int i = 1; i <= kAttempts; ++i) {
     const auto claim = store_->claim("w", kLease, kAttempts);
@@ -93,7 +93,7 @@ TEST_P(ClaimTest, ParksAJobWithTheReasonOfItsLastAttempt) {
   EXPECT_FALSE(store_->claim("w", kLease, kAttempts));
 }
 
-TEST_P(ClaimTest, PausesBeforeAnotherTryAndSaysWhy) {
+TEST_F(ClaimTest, PausesBeforeAnotherTryAndSaysWhy) {
   const std::string id = queue();
   const auto claim = store_->claim("w", kLease, kAttempts);
   store_->try_again(id, claim->token, {"crashed", "SIGSEGV"}, 2s, kAttempts);
@@ -108,7 +108,7 @@ TEST_P(ClaimTest, PausesBeforeAnotherTryAndSaysWhy) {
   EXPECT_FALSE(store_->find(id)->error);
 }
 
-TEST_P(ClaimTest, DoesNotCountAnAttemptThatIsHandedBack) {
+TEST_F(ClaimTest, DoesNotCountAnAttemptThatIsHandedBack) {
   const std::string id = queue();
   for (int i = 0; i < 2 * kAttempts; ++i) {
     const auto claim = store_->claim("w", kLease, kAttempts);
@@ -119,7 +119,7 @@ TEST_P(ClaimTest, DoesNotCountAnAttemptThatIsHandedBack) {
   EXPECT_EQ(state(id), JobState::Queued);
 }
 
-TEST_P(ClaimTest, TellsTheWorkerOfAJobToCancel) {
+TEST_F(ClaimTest, TellsTheWorkerOfAJobToCancel) {
   const std::string id = queue();
   const auto claim = store_->claim("w", kLease, kAttempts);
   EXPECT_TRUE(store_->cancel(id)->cancel_wanted);
@@ -130,7 +130,7 @@ TEST_P(ClaimTest, TellsTheWorkerOfAJobToCancel) {
   EXPECT_EQ(state(id), JobState::Cancelled);
 }
 
-TEST_P(ClaimTest, NeverRunsAJobAgainThatWasToBeCancelled) {
+TEST_F(ClaimTest, NeverRunsAJobAgainThatWasToBeCancelled) {
   const std::string silent = queue(), crashed = queue(), returned = queue();
   store_->claim("w", kLease, kAttempts);
   const auto b = store_->claim("w", kLease, kAttempts), c = store_->claim("w", kLease, kAttempts);
@@ -144,7 +144,7 @@ TEST_P(ClaimTest, NeverRunsAJobAgainThatWasToBeCancelled) {
   }
 }
 
-TEST_P(ClaimTest, RemembersWhichWorkersLive) {
+TEST_F(ClaimTest, RemembersWhichWorkersLive) {
   store_->worker_alive("w1", "north");
   const JobTime start = time_.now();
   time_.pass(1min);
@@ -157,9 +157,6 @@ TEST_P(ClaimTest, RemembersWhichWorkersLive) {
   EXPECT_EQ(store_->workers({}).size(), 1U);
   EXPECT_TRUE(store_->workers(time_.now() + 1ms).empty());
 }
-
-INSTANTIATE_TEST_SUITE_P(Sqlite, ClaimTest, testing::Values(&sqlite_place),
-                         [](const auto&) { return "Sqlite"; });
 
 }  // namespace
 }  // namespace regarment

@@ -1,18 +1,15 @@
 // What is special about the store in an SQLite file.
 
-#include "jobs/sqlite_store.h"
+#include "jobs/sqlite_database.h"
 
 #include <signal.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
-#include <map>
 #include <sstream>
 
 #include "base/error.h"
-#include "jobs/sqlite_schema.h"
+#include "jobs/store_schema.h"
 #include "store_places.h"
 
 namespace regarment {
@@ -123,45 +120,6 @@ TEST(SqliteStore, SaysWhenTheDiskIsFullAndGoesOnWhenItIsNot) {
   EXPECT_TRUE(store->find(job.id));
   EXPECT_EQ(store->create(second).kind, Created::Kind::Made);
   EXPECT_EQ(open_job_store(place.where())->find(second.id)->options, second.options);
-}
-
-// Claims until nothing is left, and writes "ID\n" for each job it ended, in one write.
-[[noreturn]] void be_a_worker(const std::string& where, int out) {
-  {
-    const auto store = open_job_store(where);
-    while (const auto claim = store->claim("w", kLease, kAttempts)) {
-      const std::string line = claim->job.id + "\n";
-      if (store->succeed(claim->job.id, claim->token, 1)) (void)!::write(out, line.data(), 25);
-    }
-  }
-  ::_exit(0);
-}
-
-TEST(SqliteStore, GivesEachJobToOneOfManyProcesses) {
-  const SqlitePlace place;
-  constexpr int kJobs = 60, kProcesses = 4;
-  std::map<std::string, int> ended;
-  {
-    const auto store = open_job_store(place.where());
-    for (int i = 0; i < kJobs; ++i) {
-      NewJob job;
-      job.id = new_job_id();
-      store->create(job), ended[job.id] = 0;
-    }
-  }
-  int ends[2];
-  ASSERT_EQ(::pipe(ends), 0);
-  for (int i = 0; i < kProcesses; ++i) {
-    if (::fork() == 0) be_a_worker(place.where(), ends[1]);
-  }
-  ::close(ends[1]);
-  std::string id(25, ' ');
-  while (::read(ends[0], id.data(), id.size()) == 25) ++ended[id.substr(0, 24)];
-  ::close(ends[0]);
-  while (::wait(nullptr) > 0) {
-  }
-  EXPECT_EQ(ended.size(), static_cast<std::size_t>(kJobs));
-  for (const auto& [job, times] : ended) EXPECT_EQ(times, 1) << job;
 }
 
 }  // namespace

@@ -38,15 +38,13 @@ class SqlitePlace : public StorePlace {
   TemporaryFolder folder_;
 };
 
-/// How a kind of store is made for a test.
-using MakePlace = std::unique_ptr<StorePlace> (*)();
+/// A place of the kind that the test program is for: sqlite_place.cpp, postgres_place.cpp.
+std::unique_ptr<StorePlace> new_store_place();
 
-inline std::unique_ptr<StorePlace> sqlite_place() { return std::make_unique<SqlitePlace>(); }
-
-/// What every JobStore is held to; instantiated once per kind of store.
-class JobStoreTest : public testing::TestWithParam<MakePlace> {
+/// What every JobStore is held to; the same tests are built into a program for each kind of store.
+class JobStoreTest : public testing::Test {
  protected:
-  std::unique_ptr<StorePlace> place_ = GetParam()();
+  std::unique_ptr<StorePlace> place_ = new_store_place();
   HandClock time_;
   std::unique_ptr<JobStore> store_ = open_job_store(place_->where(), time_.clock());
 

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "base/error.h"
-#include "jobs/sqlite_rows.h"
-#include "jobs/sqlite_store.h"
+#include "jobs/sql_rows.h"
+#include "jobs/sql_store.h"
 
 namespace regarment {
 namespace {
@@ -15,7 +15,7 @@ constexpr int kMostListed = 500;
 
 /// Conditions that all hold, and the values of their "?".
 struct Conditions {
-  std::string sql = "1";
+  std::string sql = "1 = 1";
   std::vector<std::variant<std::int64_t, std::string>> values;
 
   template <typename... Values>
@@ -25,12 +25,12 @@ struct Conditions {
   }
 };
 
-// A text that LIKE finds as it is.
+// A text that LIKE finds as it is, in small ASCII letters.
 std::string part_of(const std::string& text) {
   std::string pattern = "%";
   for (const char c : text) {
     if (c == '%' || c == '_' || c == '\\') pattern += '\\';
-    pattern += c;
+    pattern += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return pattern + "%";
 }
@@ -60,7 +60,8 @@ Conditions conditions_of(const JobFilter& filter) {
   add_states(filter.states, where);
   if (!filter.text.empty()) {
     const std::string pattern = part_of(filter.text);
-    where.add(R"(name LIKE ? ESCAPE '\' OR id LIKE ? ESCAPE '\' OR garments LIKE ? ESCAPE '\')",
+    where.add(R"(lower(name) LIKE ? ESCAPE '\' OR id LIKE ? ESCAPE '\' OR )"
+              R"(lower(garments) LIKE ? ESCAPE '\')",
               pattern, pattern, pattern);
   }
   if (!filter.batch.empty()) where.add("batch = ? AND batch <> ''", filter.batch);
@@ -75,14 +76,14 @@ Conditions conditions_of(const JobFilter& filter) {
 
 }  // namespace
 
-JobPage SqliteJobStore::list(const JobFilter& filter) {
+JobPage SqlJobStore::list(const JobFilter& filter) {
   if (filter.limit < 1 || filter.limit > kMostListed) {
     throw UsageError("limit: " + std::to_string(filter.limit) + " is not from 1 to 500");
   }
   const Conditions where = conditions_of(filter);
   const std::lock_guard<std::mutex> lock(read_mutex_);
-  SqliteStatement row(reader_, std::string("SELECT ") + kJobColumns + ", number FROM jobs WHERE " +
-                                   where.sql + " ORDER BY number DESC LIMIT ?");
+  SqlStatement row(*reader_, std::string("SELECT ") + kJobColumns + ", number FROM jobs WHERE " +
+                                 where.sql + " ORDER BY number DESC LIMIT ?");
   for (const auto& value : where.values) {
     std::visit([&](const auto& one) { row.bind(one); }, value);
   }

@@ -1,4 +1,4 @@
-#include "jobs/sqlite_rows.h"
+#include "jobs/sql_rows.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,7 +14,7 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::optional<JobTime> time_or_none(const SqliteStatement& row, int column) {
+std::optional<JobTime> time_or_none(const SqlStatement& row, int column) {
   if (row.is_null(column)) return std::nullopt;
   return time_of(row.integer(column));
 }
@@ -32,7 +32,7 @@ const char* const kJobColumns =
     "progress, stage, attempts, token, worker, cancel_wanted, error_code, error_message, bytes, "
     "verdict, note, reviewer, reviewed ";
 
-Job job_of_row(const SqliteStatement& row) {
+Job job_of_row(const SqlStatement& row) {
   Job job;
   int column = 0;
   job.id = row.text(column++);
@@ -63,7 +63,7 @@ Job job_of_row(const SqliteStatement& row) {
   return job;
 }
 
-StoredKey key_of_row(const SqliteStatement& row) {
+StoredKey key_of_row(const SqlStatement& row) {
   StoredKey out;
   out.key.id = row.text(0);
   out.key.name = row.text(1);

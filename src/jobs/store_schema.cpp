@@ -1,14 +1,11 @@
-#include "jobs/sqlite_schema.h"
+#include "jobs/store_schema.h"
 
 #include <array>
 
 #include "base/error.h"
-#include "base/one_line.h"
 
 namespace regarment {
 namespace {
-
-constexpr std::int64_t kApplication = 0x52474d54;  // "RGMT"
 
 // Times are milliseconds since 1970, UTC.
 constexpr const char* kFirst = R"sql(
@@ -85,43 +82,30 @@ CREATE TABLE keys (
 
 constexpr std::array kMigrations = {kFirst};
 
-std::int64_t version_of(SqliteDatabase& database) { return database.number("PRAGMA user_version"); }
-
-// An empty file is nobody's yet.
-void check_owner(SqliteDatabase& database) {
-  if (database.number("PRAGMA application_id") == kApplication) return;
-  if (database.number("SELECT count(*) FROM sqlite_master") == 0 && version_of(database) == 0) {
-    return;
-  }
-  throw UsageError(one_line(database.file().string(), 300) +
-                   ": an SQLite file of another program; name another --store");
-}
-
-void check_version(SqliteDatabase& database, std::int64_t known) {
-  const std::int64_t found = version_of(database);
+void check_version(const SqlDatabase& database, int found, int known) {
   if (found <= known) return;
-  throw UsageError(one_line(database.file().string(), 300) + ": a job store of schema " +
-                   std::to_string(found) + ", and this program knows schemas up to " +
-                   std::to_string(known) + "; use the newer regarment that made it");
+  throw UsageError(database.name() + ": a job store of schema " + std::to_string(found) +
+                   ", and this program knows schemas up to " + std::to_string(known) +
+                   "; use the newer regarment that made it");
 }
 
 }  // namespace
 
 std::span<const char* const> job_store_migrations() { return kMigrations; }
 
-void migrate(SqliteDatabase& database, std::span<const char* const> migrations) {
-  const auto newest = static_cast<std::int64_t>(migrations.size());
-  check_owner(database);
-  check_version(database, newest);
+void migrate(SqlDatabase& database, std::span<const char* const> migrations) {
+  const auto newest = static_cast<int>(migrations.size());
+  check_version(database, database.schema_version(), newest);
   database.share();
-  if (version_of(database) == newest) return;
-  SqliteTransaction transaction(database);
-  check_version(database, newest);  // somebody may have been faster
-  for (auto step = version_of(database); step < newest; ++step) {
+  if (database.schema_version() == newest) return;
+  SqlTransaction transaction(database);
+  database.lock_schema();
+  const int found = database.schema_version();  // somebody may have been faster
+  check_version(database, found, newest);
+  for (int step = found; step < newest; ++step) {
     database.run(migrations[static_cast<std::size_t>(step)]);
   }
-  database.run("PRAGMA application_id=" + std::to_string(kApplication));
-  database.run("PRAGMA user_version=" + std::to_string(newest));
+  database.set_schema_version(newest);
   transaction.commit();
 }
 

@@ -5,7 +5,7 @@
 #include "jobs/api_key.h"
 #include "jobs/job.h"
 #include "jobs/job_store.h"
-#include "jobs/sqlite_database.h"
+#include "jobs/sql_database.h"
 
 // How rows of the tables become our types, and back.
 
@@ -13,10 +13,10 @@ namespace regarment {
 
 /// What job_of_row reads, in its order, as text for a SELECT from `jobs`.
 extern const char* const kJobColumns;
-Job job_of_row(const SqliteStatement& row);
+Job job_of_row(const SqlStatement& row);
 
 /// `id, name, scopes, hash, created, revoked` of `keys`.
-StoredKey key_of_row(const SqliteStatement& row);
+StoredKey key_of_row(const SqlStatement& row);
 std::string scopes_text(const std::vector<Scope>& scopes);
 
 JobTime time_of(std::int64_t milliseconds);

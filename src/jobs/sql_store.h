@@ -4,16 +4,16 @@
 #include <mutex>
 
 #include "jobs/job_store.h"
-#include "jobs/sqlite_database.h"
+#include "jobs/sql_database.h"
 
 namespace regarment {
 
-/// The JobStore in one SQLite file, for the processes of one machine. One connection writes and one
-/// reads, so that a reader does not wait for a writer's disk.
-class SqliteJobStore : public JobStore {
+/// The JobStore in the tables of a database. One connection writes and one reads, so that a reader
+/// does not wait for a writer's disk.
+class SqlJobStore : public JobStore {
  public:
-  /// Throws as open_job_store does.
-  SqliteJobStore(const std::filesystem::path& file, JobClock clock);
+  /// `connect` gives a new connection each time. Throws as open_job_store does.
+  SqlJobStore(const std::function<std::unique_ptr<SqlDatabase>()>& connect, JobClock clock);
 
   Created create(const NewJob& job) override;
   std::optional<Job> find(std::string_view id) override;
@@ -30,6 +30,7 @@ class SqliteJobStore : public JobStore {
   QueueFacts facts() override;
   void check_writable() override;
   int schema_version() override;
+  JobTime time() override { return clock_ ? clock_() : writer_->now(); }
 
   Batch create_batch(std::string_view name, std::string_view owner) override;
   std::optional<Batch> find_batch(std::string_view id) override;
@@ -58,20 +59,26 @@ class SqliteJobStore : public JobStore {
   bool revoke_key(std::string_view id) override;
 
  private:
-  std::int64_t now() const { return clock_().time_since_epoch().count(); }
-  // Adds the next event of a job; within a transaction.
+  std::int64_t now() { return time().time_since_epoch().count(); }
+  // Within a transaction: adds the next event of a job, or the one with the number it was given.
   void add_event(std::int64_t job, std::string_view kind, const std::string& data);
+  void add_event(std::int64_t job, std::int64_t number, std::string_view kind,
+                 const std::string& data);
   void park_lost_jobs(int max_attempts);
   bool has_work();
-  std::optional<std::int64_t> job_under(std::string_view id, std::int64_t token);
+  /// A running job whose claim has the token.
+  struct Held {
+    std::int64_t number;
+    bool cancel;  // is wanted
+  };
+  std::optional<Held> held_under(std::string_view id, std::int64_t token);
   bool finish(std::string_view id, std::int64_t token, JobState state, const JobError& error,
               std::uint64_t bytes);
   void end_job(std::int64_t job, JobState state, const JobError& error);
-  LeaseAnswer answer_to(std::int64_t job);
 
   JobClock clock_;
   std::mutex write_mutex_, read_mutex_;
-  SqliteDatabase writer_, reader_;
+  std::unique_ptr<SqlDatabase> writer_, reader_;
 };
 
 }  // namespace regarment
