@@ -50,6 +50,14 @@ std::string said(const std::string& shown, const std::exception& error) {
   throw TemporaryError(said(shown, error) + "; try again later");
 }
 
+// A server that answers but does not let us in will not do so by itself, unless it is only full.
+bool is_refused(const std::string& connection, const std::exception& error) {
+  const std::string_view why = error.what();
+  const bool full = why.find("too many") != std::string_view::npos ||
+                    why.find("connection slots") != std::string_view::npos;
+  return !full && PQping(connection.c_str()) == PQPING_OK;
+}
+
 // What the server answered, as an error of ours.
 [[noreturn]] void throw_refusal(const std::string& shown, const pqxx::sql_error& error) {
   const std::string& state = error.sqlstate();
@@ -118,16 +126,8 @@ class PostgresDatabase::Cursor : public SqlCursor {
 };
 
 PostgresDatabase::PostgresDatabase(PostgresAddress address) : address_(std::move(address)) {
-  try {
-    connect();
-  } catch (const TemporaryError& error) {
-    // A server that answers but lets us not in will not do so by itself, unless it is only full.
-    const std::string_view why = error.what();
-    const bool full = why.find("too many") != std::string_view::npos ||
-                      why.find("connection slots") != std::string_view::npos;
-    if (full || PQping(address_.connection.c_str()) != PQPING_OK) throw;
-    throw UsageError(error.what());
-  }
+  connect();
+  was_connected_ = true;
 }
 
 PostgresDatabase::~PostgresDatabase() { rollback(); }
@@ -149,7 +149,10 @@ void PostgresDatabase::connect() {
     note_time(number_of<std::int64_t>(facts[0][1].c_str()));
     session_ = std::move(session);
   } catch (const pqxx::failure& error) {
-    throw_away(address_.shown, error);
+    if (was_connected_ || !is_refused(address_.connection, error)) {
+      throw_away(address_.shown, error);
+    }
+    throw UsageError(said(address_.shown, error) + "; correct --store, or the database's rights");
   }
 }
 

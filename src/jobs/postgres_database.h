@@ -55,6 +55,7 @@ class PostgresDatabase : public SqlDatabase {
 
   const PostgresAddress address_;
   std::unique_ptr<Session> session_;  // null: lost
+  bool was_connected_ = false;
   bool in_transaction_ = false;
   std::string transaction_;               // the server's number of the open one
   std::atomic<std::int64_t> offset_ = 0;  // ms; the server's time less our steady clock's
