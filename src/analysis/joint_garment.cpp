@@ -109,15 +109,19 @@ CutOptions cut_options(const GarmentEdges& edges) {
   return options;
 }
 
-using Stretches = std::map<std::string, Stretch>;  // by dimension
+/// What follows from a fit and is not part of the result by itself.
+struct FollowUp {
+  std::map<std::string, Stretch> stretch;  // by dimension
+  std::vector<std::uint8_t> caps;
+};
 
-/// What follows from a fit in ways that do not need each other: the placement, the labels and what
-/// hangs on them, how the sides differ, and how far the cloth is stretched.
-Stretches follow_up(const Scan& scan, const GarmentTemplate& garment,
-                    const std::vector<JointStart>& starts, const JointFit& fit, Stage& stage,
-                    GarmentAnalysis& out) {
+/// In ways that do not need each other: the placement, the labels and what hangs on them, how the
+/// sides differ, how far the cloth is stretched, and the caps.
+FollowUp follow_up(const Scan& scan, const GarmentTemplate& garment,
+                   const std::vector<JointStart>& starts, const JointFit& fit, Stage& stage,
+                   GarmentAnalysis& out) {
   const SeenGarment& seen = starts.front().seen;
-  Stretches stretch;
+  FollowUp follow;
   StretchOptions cloth;
   cloth.fabric = stage.options.fabric;
   const auto label = [&] {
@@ -126,12 +130,13 @@ Stretches follow_up(const Scan& scan, const GarmentTemplate& garment,
     out.deviation = deviation_of(scan, out, stage.labels);
   };
   run_together(
-      {[&] { stretch = worn_stretch(garment, fit.dimensions, fit.pattern, fit.draped, cloth); },
+      {[&] {
+         follow.stretch = worn_stretch(garment, fit.dimensions, fit.pattern, fit.draped, cloth);
+       },
        label, [&] { out.asymmetry = find_asymmetry(garment, starts, fit, stage); },
-       [&] {
-         out.placed = place_garment(fit.pattern, placement_target(seen.edges, fit.pattern));
-       }});
-  return stretch;
+       [&] { out.placed = place_garment(fit.pattern, placement_target(seen.edges, fit.pattern)); },
+       [&] { follow.caps = find_caps(scan, seen.edges); }});
+  return follow;
 }
 
 }  // namespace
@@ -158,7 +163,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.dimensions = fit.dimensions;
   out.pattern = fit.pattern;
   out.draped = fit.draped;
-  const Stretches stretch = follow_up(scan, garment, starts, fit, stage, out);
+  const FollowUp follow = follow_up(scan, garment, starts, fit, stage, out);
   const Dimensions& fixed = fixed_of(stage.options, garment);
   const auto sources = worn_sources(garment, fit, seen.observed);
   const auto free = free_girths(garment, out.dimensions, out.pattern, out.draped);
@@ -169,7 +174,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
     const auto under = covered.find(d.name);
     const DimensionRole role = dimension_role(garment, out.dimensions, out.pattern, d.name);
     WornEstimate worn = weigh(sources.at(d.name), role, tucked);
-    Stretch stretched = stretch.at(d.name);
+    Stretch stretched = follow.stretch.at(d.name);
     if (const auto hanging = free.find(d.name); hanging != free.end()) {
       worn = weigh_free(worn, hanging->second);
       stretched = where_free(stretched, hanging->second);
@@ -189,7 +194,7 @@ GarmentAnalysis joint_garment(const Scan& scan, const GarmentTemplate& garment, 
   out.dimensions = nearest_holding(garment, out.dimensions, fixed);
   move_pattern(garment, out.dimensions, out.pattern);
   judge_drape(stage, seen.cloth, out);
-  take(stage, seen.cloth, find_caps(scan, seen.edges), out);
+  take(stage, seen.cloth, follow.caps, out);
   stage.outer.push_back(outer_garment(out.pattern, out.draped));
   warn_about(garment, seen.edges, out, stage.warnings);
   return out;

@@ -45,9 +45,11 @@ GarmentEdges edges_on(const Stage& stage, const Pattern& pattern, const GarmentT
 
 std::vector<std::uint8_t> cloth_of(const Stage& stage, const GarmentRegion& region) {
   std::vector<std::uint8_t> cloth(stage.samples.size(), 0);
-  for (std::size_t s = 0; s < cloth.size(); ++s)
-    cloth[s] =
-        stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
+  parallel_for(cloth.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s)
+      cloth[s] =
+          stage.taken[s] == 0 && region.depth(stage.samples.positions[s], stage.body.part[s]) > 0;
+  });
   return cloth;
 }
 
@@ -149,14 +151,17 @@ void judge_drape(const Stage& stage, const std::vector<std::uint8_t>& cloth, Gar
   if (positions.empty()) return;
   const PointTree tree(positions);
   const std::vector<double> areas = triangle_areas(out.pattern);
+  std::vector<PointNeighbour> nearest(areas.size());
+  parallel_for(areas.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Triangle& t = out.pattern.triangles[f];
+      const Vec3 middle = (out.draped[t[0]] + out.draped[t[1]] + out.draped[t[2]]) / 3;
+      tree.nearest(middle, {&nearest[f], 1});  // there are points, so that one is nearest
+    }
+  });
   double sum = 0, weight = 0;
-  for (std::size_t f = 0; f < areas.size(); ++f) {
-    const Triangle& t = out.pattern.triangles[f];
-    PointNeighbour nearest;
-    const Vec3 middle = (out.draped[t[0]] + out.draped[t[1]] + out.draped[t[2]]) / 3;
-    if (tree.nearest(middle, {&nearest, 1}) == 0) continue;
-    sum += areas[f] * std::sqrt(nearest.squared_distance), weight += areas[f];
-  }
+  for (std::size_t f = 0; f < areas.size(); ++f)
+    sum += areas[f] * std::sqrt(nearest[f].squared_distance), weight += areas[f];
   if (weight > 0) out.mean_distance = sum / weight;
   const std::vector<Spring> links = springs(out.pattern);
   double stretch = 0;

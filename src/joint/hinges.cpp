@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 
 namespace regarment {
 namespace {
@@ -25,7 +26,8 @@ Apex apex_over(const Pattern& pattern, int top, int from, int to) {
 }  // namespace
 
 std::vector<Hinge> hinges(const Pattern& pattern) {
-  std::map<std::array<int, 2>, Apex> open;
+  std::unordered_map<std::uint64_t, Apex> open;  // by the side's particles
+  open.reserve(2 * pattern.triangles.size());
   std::vector<Hinge> out;
   for (const Triangle& t : pattern.triangles)
     for (int c = 0; c < 3; ++c) {
@@ -33,7 +35,9 @@ std::vector<Hinge> hinges(const Pattern& pattern) {
       if (pattern.particle[from] > pattern.particle[to]) std::swap(from, to);
       const std::array<int, 2> side{pattern.particle[from], pattern.particle[to]};
       const Apex apex = apex_over(pattern, static_cast<int>(t[(c + 2) % 3]), from, to);
-      const auto [other, first] = open.try_emplace(side, apex);
+      const auto key =
+          static_cast<std::uint64_t>(side[0]) << 32U | static_cast<std::uint32_t>(side[1]);
+      const auto [other, first] = open.try_emplace(key, apex);
       if (first) continue;
       const Apex& a = other->second;
       const double width = (a.height + apex.height) / 3;  // across which the bend is spread

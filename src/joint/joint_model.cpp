@@ -2,24 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace regarment {
 namespace {
 
 /// Area of cloth per spring: a third of each triangle it is a side of.
 std::vector<double> spring_areas(const Pattern& pattern, const std::vector<Spring>& springs) {
-  std::map<std::array<int, 2>, double> of_side;
   const std::vector<double> areas = triangle_areas(pattern);
+  std::vector<double> out(springs.size(), 0.0);
+  using Ends = std::pair<int, int>;
   for (std::size_t f = 0; f < areas.size(); ++f)
     for (int c = 0; c < 3; ++c) {
-      const int a = pattern.particle[pattern.triangles[f][c]];
-      const int b = pattern.particle[pattern.triangles[f][(c + 1) % 3]];
-      of_side[{std::min(a, b), std::max(a, b)}] += areas[f] / 3;
+      const Ends side = std::minmax({pattern.particle[pattern.triangles[f][c]],
+                                     pattern.particle[pattern.triangles[f][(c + 1) % 3]]});
+      const auto spring = std::lower_bound(springs.begin(), springs.end(), side,
+                                           [](const Spring& s, const Ends& ends) {
+                                             return Ends{s.particle_a, s.particle_b} < ends;
+                                           });
+      out[static_cast<std::size_t>(spring - springs.begin())] += areas[f] / 3;
     }
-  std::vector<double> out;
-  out.reserve(springs.size());
-  for (const Spring& s : springs) out.push_back(of_side.at({s.particle_a, s.particle_b}));
   return out;
 }
 

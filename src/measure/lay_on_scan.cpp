@@ -9,6 +9,7 @@
 #include "garment/springs.h"
 #include "garment/worn_normals.h"
 #include "geometry/closed_curve.h"
+#include "geometry/parallel.h"
 
 namespace regarment {
 namespace {
@@ -49,19 +50,21 @@ Cloth cloth_samples(const SurfaceSamples& samples, const std::vector<std::uint8_
 
 void pull_to_scan(const PointTree& tree, const Cloth& cloth, const std::vector<Vec3>& normals,
                   double reach, std::vector<Vec3>& x) {
-  std::array<PointNeighbour, kCandidates> near;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const std::size_t n = tree.nearest(x[i], near, reach);
-    for (std::size_t k = 0; k < n; ++k) {
-      const Vec3& normal = cloth.normals[near[k].index];
-      if (normal.dot(normals[i]) < kSimilar) continue;
-      const Vec3 way = cloth.positions[near[k].index] - x[i];
-      // Mostly along the normal, so that the cloth slides on the surface.
-      const double off = way.dot(normal);
-      x[i] += kPull * (off * normal + 0.1 * (way - off * normal));
-      break;
+  parallel_for(x.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::array<PointNeighbour, kCandidates> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t n = tree.nearest(x[i], near, reach);
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec3& normal = cloth.normals[near[k].index];
+        if (normal.dot(normals[i]) < kSimilar) continue;
+        const Vec3 way = cloth.positions[near[k].index] - x[i];
+        // Mostly along the normal, so that the cloth slides on the surface.
+        const double off = way.dot(normal);
+        x[i] += kPull * (off * normal + 0.1 * (way - off * normal));
+        break;
+      }
     }
-  }
+  });
 }
 
 }  // namespace

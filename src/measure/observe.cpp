@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/parallel.h"
 #include "measure/observer.h"
 
 namespace regarment {
@@ -37,6 +38,20 @@ Vec3 Observer::edge_point(const GarmentEdge& e, double phi) const {
   return view.axis.point({e.found.s[j], view.map.column_phi(j), e.found.r[j]});
 }
 
+ObservedLength Observer::measure(const Observation& o) const {
+  switch (o.kind) {
+    case Observation::Kind::Girth:
+      return girth(o);
+    case Observation::Kind::GirthAtOffset:
+      return girth_at_offset(o);
+    case Observation::Kind::Path:
+      return path(o);
+    case Observation::Kind::Fork:
+      return fork(o);
+  }
+  return {&o, 0, 0, false};
+}
+
 ObservedLength Observer::girth(const Observation& o) const {
   const GarmentEdge* e = edge(o.edge);
   if (!e || e->covered || e->found.coverage < 0.5) return {&o, 0, 0, false};
@@ -56,23 +71,11 @@ std::vector<ObservedLength> observe(const SurfaceSamples& samples, const Body& b
                                     const GarmentTemplate& garment) {
   Observer observer{samples, body, edges, cloth, garment};
   observer.trunk = observer.trunk_levels();
-  std::vector<ObservedLength> out;
-  for (const Observation& o : garment.observations()) {
-    switch (o.kind) {
-      case Observation::Kind::Girth:
-        out.push_back(observer.girth(o));
-        break;
-      case Observation::Kind::GirthAtOffset:
-        out.push_back(observer.girth_at_offset(o));
-        break;
-      case Observation::Kind::Path:
-        out.push_back(observer.path(o));
-        break;
-      case Observation::Kind::Fork:
-        out.push_back(observer.fork(o));
-        break;
-    }
-  }
+  const auto& asked = garment.observations();
+  std::vector<ObservedLength> out(asked.size());
+  parallel_for(asked.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = observer.measure(asked[i]);
+  });
   return out;
 }
 

@@ -41,6 +41,9 @@ struct Observer {
   const GarmentTemplate& garment;
   std::optional<TrunkLevels> trunk = std::nullopt;
 
+  /// Any number of threads may measure at once.
+  ObservedLength measure(const Observation& o) const;
+
   // One function per kind of observation; each returns the observation unseen when the scan lacks
   // what it needs.
   ObservedLength girth(const Observation& o) const;
