@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
-#include "render/clip_matrix.h"
-#include "render/context.h"
-#include "render/gl.h"
-#include "render/shader.h"
 
 namespace regarment {
 namespace {
@@ -33,6 +30,70 @@ bool opposite(const Camera& a, const Camera& b) {
          a.view_from_body.row(1) == b.view_from_body.row(1);
 }
 
+// Corners lie on a grid of so many lines a pixel, so that sides that meet do so without gaps, and
+// what a picture's size reckons is exact.
+constexpr double kParts = 256;
+
+struct Corner {
+  double x = 0, y = 0;  // from the picture's upper left corner, in parts of a pixel
+};
+
+/// Which pixel's centre is the first that does not lie before, each way; the picture's size for
+/// none.
+struct Cell {
+  int column = 0, row = 0;
+};
+
+/// To the nearest whole number; far beyond any picture, to a near one.
+double rounded(double x) {
+  constexpr double kWhole = 0x1.8p52;  // numbers beside it have no fraction
+  return (x + kWhole) - kWhole;
+}
+
+int first_centre(double x, int size) {
+  const double centres = x / kParts - 0.5;
+  if (!(centres > 0)) return 0;
+  if (!(centres < size)) return size;
+  const int whole = static_cast<int>(centres);
+  return whole + (whole < centres ? 1 : 0);
+}
+
+/// A side of a triangle whose inside is where this is positive. Of two triangles that share a side,
+/// the one below or to the right has the centres on it.
+struct Side {
+  double x, y, along_x, along_y;
+  bool owns;
+
+  Side(const Corner& from, const Corner& to)
+      : x(from.x),
+        y(from.y),
+        along_x(to.x - from.x),
+        along_y(to.y - from.y),
+        owns(along_y < 0 || (along_y == 0 && along_x > 0)) {}
+  bool inside(double at_x, double at_y) const {
+    const double value = along_x * (at_y - y) - along_y * (at_x - x);
+    return value > 0 || (owns && value == 0);
+  }
+};
+
+/// Marks the centres inside a triangle, of those from `low` up to before `high`.
+void cover(std::array<Corner, 3> at, const Cell& low, const Cell& high, Silhouette& out) {
+  const double twice =
+      (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
+  if (twice == 0) return;
+  if (twice < 0) std::swap(at[1], at[2]);
+  const Side a(at[0], at[1]), b(at[1], at[2]), c(at[2], at[0]);
+  for (int row = low.row; row < high.row; ++row) {
+    std::uint8_t* pixels = &out.covered[std::size_t(row) * std::size_t(out.size)];
+    const double y = kParts * (row + 0.5);
+    for (int column = low.column; column < high.column; ++column) {
+      if (pixels[column] != 0) continue;
+      const double x = kParts * (column + 0.5);
+      pixels[column] = a.inside(x, y) && b.inside(x, y) && c.inside(x, y) ? 1 : 0;
+    }
+  }
+}
+
 Silhouette mirrored(Silhouette silhouette) {
   auto& pixels = silhouette.covered;
   for (auto row = pixels.begin(); row != pixels.end(); row += silhouette.size)
@@ -47,76 +108,54 @@ std::size_t Silhouette::area() const {
 }
 
 struct SilhouetteRenderer::State {
-  Context& context = Context::of_this_thread();
-  Shader shader{"silhouette"};
-  GlFramebuffer framebuffer;
-  GlRenderbuffer mask;
-  GlBuffer positions, indices;
-  GlVertexArray array;
+  std::vector<Triangle> triangles;
   std::size_t vertex_count = 0;
-  GLsizei index_count = 0;
   int size = 0;
-  std::vector<Eigen::Vector3f> staged;  // positions relative to the first camera's centre
+  // Per vertex of the picture that is drawn.
+  std::vector<Corner> corners;
+  std::vector<Cell> cells;
 
-  void stage(std::span<const Vec3> points, const Vec3& origin);
-  Silhouette draw(const Camera& camera, const Vec3& origin) const;
+  void place(std::span<const Vec3> positions, const Camera& camera);
+  Silhouette draw(std::span<const Vec3> positions, const Camera& camera);
 };
 
 SilhouetteRenderer::SilhouetteRenderer(std::span<const Triangle> triangles,
                                        std::size_t vertex_count, int size) {
   check_mesh(triangles, vertex_count, size);
   state_ = std::make_unique<State>();
-  State& s = *state_;
-  s.vertex_count = vertex_count;
-  s.index_count = GLsizei(3 * triangles.size());
-  s.size = size;
-  s.staged.resize(vertex_count);
-  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
-  glBindRenderbuffer(GL_RENDERBUFFER, s.mask.name());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_R8, size, size);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s.mask.name());
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error(1,
-                "cannot draw: OpenGL refuses a silhouette of " + std::to_string(size) + " pixels");
-  }
-  glBindVertexArray(s.array.name());
-  glBindBuffer(GL_ARRAY_BUFFER, s.positions.name());
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertex_count * sizeof(Eigen::Vector3f)), nullptr,
-               GL_DYNAMIC_DRAW);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
-  glEnableVertexAttribArray(0);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices.name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(triangles.size_bytes()), triangles.data(),
-               GL_STATIC_DRAW);
-  s.context.check("preparing silhouettes");
+  state_->triangles.assign(triangles.begin(), triangles.end());
+  state_->vertex_count = vertex_count;
+  state_->size = size;
+  state_->corners.resize(vertex_count);
+  state_->cells.resize(vertex_count);
 }
 
 SilhouetteRenderer::~SilhouetteRenderer() = default;
 
-void SilhouetteRenderer::State::stage(std::span<const Vec3> points, const Vec3& origin) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    check_drawable(points[i], i);
-    staged[i] = (points[i] - origin).cast<float>();
+void SilhouetteRenderer::State::place(std::span<const Vec3> positions, const Camera& camera) {
+  const double scale = kParts * camera.pixels_per_metre;
+  const Vec3 right = scale * camera.view_from_body.row(0).transpose(),
+             down = -scale * camera.view_from_body.row(1).transpose();
+  const double middle_x = kParts * 0.5 * camera.width, middle_y = kParts * 0.5 * camera.height;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 p = positions[i] - camera.centre;
+    corners[i] = {rounded(middle_x + right.dot(p)), rounded(middle_y + down.dot(p))};
+    cells[i] = {first_centre(corners[i].x, size), first_centre(corners[i].y, size)};
   }
-  glBindBuffer(GL_ARRAY_BUFFER, positions.name());
-  glBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(staged.size() * sizeof(Eigen::Vector3f)),
-                  staged.data());
 }
 
-Silhouette SilhouetteRenderer::State::draw(const Camera& camera, const Vec3& origin) const {
-  // Depth does not count: the mesh is flattened so that nothing is cut off in front or behind.
-  Eigen::Matrix4f flat = clip_from_body(camera, origin);
-  flat.row(2).setZero();
-  shader.set("clip_from_body", flat);
-  constexpr std::array<GLfloat, 4> kNothing = {0, 0, 0, 0};
-  glClearBufferfv(GL_COLOR, 0, kNothing.data());
-  glDrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
-  Silhouette silhouette{size, std::vector<std::uint8_t>(std::size_t(size) * std::size_t(size))};
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  glReadPixels(0, 0, size, size, GL_RED, GL_UNSIGNED_BYTE, silhouette.covered.data());
-  for (std::uint8_t& pixel : silhouette.covered) pixel = pixel != 0 ? 1 : 0;
-  return silhouette;
+Silhouette SilhouetteRenderer::State::draw(std::span<const Vec3> positions, const Camera& camera) {
+  place(positions, camera);
+  Silhouette out{size, std::vector<std::uint8_t>(std::size_t(size) * std::size_t(size))};
+  for (const Triangle& t : triangles) {
+    const Cell &a = cells[t[0]], &b = cells[t[1]], &c = cells[t[2]];
+    const Cell low{std::min({a.column, b.column, c.column}), std::min({a.row, b.row, c.row})};
+    const Cell high{std::max({a.column, b.column, c.column}), std::max({a.row, b.row, c.row})};
+    // Of a fine scan, most triangles lie between the centres.
+    if (low.column == high.column || low.row == high.row) continue;
+    cover({corners[t[0]], corners[t[1]], corners[t[2]]}, low, high, out);
+  }
+  return out;
 }
 
 std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions,
@@ -128,14 +167,7 @@ std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions
   }
   std::vector<Silhouette> silhouettes;
   if (cameras.empty()) return silhouettes;
-  const Vec3 origin = cameras.front().centre;
-  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
-  glBindVertexArray(s.array.name());
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glViewport(0, 0, s.size, s.size);
-  s.stage(positions, origin);
-  s.shader.use();
+  for (std::size_t i = 0; i < positions.size(); ++i) check_drawable(positions[i], i);
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     const Camera& camera = cameras[c];
     if (camera.width != s.size || camera.height != s.size) {
@@ -145,10 +177,9 @@ std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions
     const auto drawn = std::find_if(cameras.begin(), cameras.begin() + c,
                                     [&](const Camera& other) { return opposite(camera, other); });
     silhouettes.push_back(drawn == cameras.begin() + c
-                              ? s.draw(camera, origin)
+                              ? s.draw(positions, camera)
                               : mirrored(silhouettes[drawn - cameras.begin()]));
   }
-  s.context.check("silhouettes");
   return silhouettes;
 }
 

@@ -9,7 +9,7 @@
 namespace regarment {
 namespace {
 
-constexpr double kSnap = 1.0 / 64;  // pixels; OpenGL places corners to a 256th of a pixel
+constexpr double kSnap = 1.0 / 64;  // pixels; corners are placed to a 256th of a pixel
 
 std::vector<Camera> square_cameras(const Box& box, int size) {
   Framing framing;
@@ -127,6 +127,48 @@ TEST(Silhouette, ShowsWhatLiesFarBehindTheFramedBox) {
   const auto cameras = square_cameras({{-1, -1, -1}, {1, 1, 1}}, 64);
   SilhouetteRenderer renderer(mesh.triangles, mesh.positions.size(), 64);
   EXPECT_GT(renderer.draw(mesh.positions, std::span(cameras).first(1)).front().area(), 500U);
+}
+
+// Corners on the centres of pixels, so that every side of the fan passes over centres.
+TEST(Silhouette, TrianglesThatShareSidesCoverEachCentreOnce) {
+  constexpr int kSize = 16;
+  Camera camera;
+  camera.width = camera.height = kSize;
+  Mesh fan;
+  const auto at = [](double column, double row) {
+    return Vec3(column + 0.5 - 0.5 * kSize, 0.5 * kSize - row - 0.5, 0);
+  };
+  fan.positions = {at(8, 8),   at(2, 2),  at(8, 2),  at(14, 2), at(14, 8),
+                   at(14, 14), at(8, 14), at(2, 14), at(2, 8)};
+  for (std::uint32_t i = 1; i <= 8; ++i) fan.triangles.push_back({0, i, i % 8 + 1});
+  std::vector<int> times(std::size_t{kSize} * kSize, 0);
+  for (const Triangle& t : fan.triangles) {
+    SilhouetteRenderer one(std::span(&t, 1), fan.positions.size(), kSize);
+    const auto masks = one.draw(fan.positions, std::span(&camera, 1));
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] += masks[0].covered[i];
+  }
+  // Of the square's own border, left and top belong to it.
+  for (int row = 0; row < kSize; ++row)
+    for (int column = 0; column < kSize; ++column)
+      EXPECT_EQ(times[std::size_t(row * kSize + column)],
+                column >= 2 && column < 14 && row >= 2 && row < 14 ? 1 : 0)
+          << column << ", " << row;
+}
+
+TEST(Silhouette, OfATriangleFarLargerThanThePictureIsCutOff) {
+  Camera camera;
+  camera.width = camera.height = 32;
+  camera.pixels_per_metre = 10;
+  // Everything above the line y = x, as far as a picture goes.
+  const std::vector<Vec3> positions = {{-9e8, -9e8, 0}, {9e8, 9e8, 0}, {-9e8, 9e8, 0}};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  SilhouetteRenderer renderer(triangles, 3, 32);
+  const auto masks = renderer.draw(positions, std::span(&camera, 1));
+  for (int row = 0; row < 32; ++row)
+    for (int column = 0; column < 32; ++column) {
+      if (row == 31 - column) continue;  // on the line itself
+      EXPECT_EQ(masks[0].covered[std::size_t(row * 32 + column)] != 0, row < 31 - column);
+    }
 }
 
 TEST(Silhouette, RefusesWhatDoesNotFit) {
