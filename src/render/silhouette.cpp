@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
+#include "render/clip_matrix.h"
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/shader.h"
 
 namespace regarment {
 namespace {
@@ -30,68 +36,28 @@ bool opposite(const Camera& a, const Camera& b) {
          a.view_from_body.row(1) == b.view_from_body.row(1);
 }
 
-// Corners lie on a grid of so many lines a pixel, so that sides that meet do so without gaps, and
-// what a picture's size reckons is exact.
-constexpr double kParts = 256;
-
-struct Corner {
-  double x = 0, y = 0;  // from the picture's upper left corner, in parts of a pixel
+/// The pixels whose centres a vertex may lie on or beside: from the first that is not before it to
+/// the last that is not behind it, each way, give and take what OpenGL may move it by.
+struct Centres {
+  int first_column = 0, last_column = 0, first_row = 0, last_row = 0;
 };
 
-/// Which pixel's centre is the first that does not lie before, each way; the picture's size for
-/// none.
-struct Cell {
-  int column = 0, row = 0;
-};
+constexpr double kMoved = 1.0 / 64;   // pixels; OpenGL has at least 16 places in one
+constexpr double kRelative = 1e-6;    // of its distance from the middle, in single precision
+constexpr double kFarthest = 100000;  // pixels; beyond, nearer places serve as well
 
-/// To the nearest whole number; far beyond any picture, to a near one.
-double rounded(double x) {
-  constexpr double kWhole = 0x1.8p52;  // numbers beside it have no fraction
-  return (x + kWhole) - kWhole;
+std::pair<int, int> centres_beside(double pixels, double middle) {
+  const double at = std::clamp(pixels, -kFarthest, kFarthest) + middle - 0.5;
+  const double moved = kMoved + kRelative * std::abs(pixels);
+  return {static_cast<int>(std::ceil(at - moved)), static_cast<int>(std::floor(at + moved))};
 }
 
-int first_centre(double x, int size) {
-  const double centres = x / kParts - 0.5;
-  if (!(centres > 0)) return 0;
-  if (!(centres < size)) return size;
-  const int whole = static_cast<int>(centres);
-  return whole + (whole < centres ? 1 : 0);
-}
-
-/// A side of a triangle whose inside is where this is positive. Of two triangles that share a side,
-/// the one below or to the right has the centres on it.
-struct Side {
-  double x, y, along_x, along_y;
-  bool owns;
-
-  Side(const Corner& from, const Corner& to)
-      : x(from.x),
-        y(from.y),
-        along_x(to.x - from.x),
-        along_y(to.y - from.y),
-        owns(along_y < 0 || (along_y == 0 && along_x > 0)) {}
-  bool inside(double at_x, double at_y) const {
-    const double value = along_x * (at_y - y) - along_y * (at_x - x);
-    return value > 0 || (owns && value == 0);
-  }
-};
-
-/// Marks the centres inside a triangle, of those from `low` up to before `high`.
-void cover(std::array<Corner, 3> at, const Cell& low, const Cell& high, Silhouette& out) {
-  const double twice =
-      (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
-  if (twice == 0) return;
-  if (twice < 0) std::swap(at[1], at[2]);
-  const Side a(at[0], at[1]), b(at[1], at[2]), c(at[2], at[0]);
-  for (int row = low.row; row < high.row; ++row) {
-    std::uint8_t* pixels = &out.covered[std::size_t(row) * std::size_t(out.size)];
-    const double y = kParts * (row + 0.5);
-    for (int column = low.column; column < high.column; ++column) {
-      if (pixels[column] != 0) continue;
-      const double x = kParts * (column + 0.5);
-      pixels[column] = a.inside(x, y) && b.inside(x, y) && c.inside(x, y) ? 1 : 0;
-    }
-  }
+// Whether a triangle may have the centre of a pixel in it. Of a fine scan, few have.
+bool may_show(const Centres& a, const Centres& b, const Centres& c) {
+  return std::min({a.first_column, b.first_column, c.first_column}) <=
+             std::max({a.last_column, b.last_column, c.last_column}) &&
+         std::min({a.first_row, b.first_row, c.first_row}) <=
+             std::max({a.last_row, b.last_row, c.last_row});
 }
 
 Silhouette mirrored(Silhouette silhouette) {
@@ -108,54 +74,96 @@ std::size_t Silhouette::area() const {
 }
 
 struct SilhouetteRenderer::State {
-  std::vector<Triangle> triangles;
+  Context& context = Context::of_this_thread();
+  Shader shader{"silhouette"};
+  GlFramebuffer framebuffer;
+  GlRenderbuffer mask;
+  GlBuffer positions, indices;
+  GlVertexArray array;
   std::size_t vertex_count = 0;
   int size = 0;
-  // Per vertex of the picture that is drawn.
-  std::vector<Corner> corners;
-  std::vector<Cell> cells;
+  std::vector<Triangle> triangles;
+  std::vector<Eigen::Vector3f> staged;  // positions relative to the first camera's centre
+  std::vector<Centres> centres;         // of each vertex, in the picture that is drawn
+  std::vector<Triangle> shown;
 
-  void place(std::span<const Vec3> positions, const Camera& camera);
-  Silhouette draw(std::span<const Vec3> positions, const Camera& camera);
+  void stage(std::span<const Vec3> points, const Vec3& origin);
+  void choose(std::span<const Vec3> points, const Camera& camera);
+  Silhouette draw(std::span<const Vec3> points, const Camera& camera, const Vec3& origin);
 };
 
 SilhouetteRenderer::SilhouetteRenderer(std::span<const Triangle> triangles,
                                        std::size_t vertex_count, int size) {
   check_mesh(triangles, vertex_count, size);
   state_ = std::make_unique<State>();
-  state_->triangles.assign(triangles.begin(), triangles.end());
-  state_->vertex_count = vertex_count;
-  state_->size = size;
-  state_->corners.resize(vertex_count);
-  state_->cells.resize(vertex_count);
+  State& s = *state_;
+  s.vertex_count = vertex_count;
+  s.size = size;
+  s.triangles.assign(triangles.begin(), triangles.end());
+  s.centres.resize(vertex_count);
+  s.staged.resize(vertex_count);
+  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
+  glBindRenderbuffer(GL_RENDERBUFFER, s.mask.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_R8, size, size);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, s.mask.name());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(1,
+                "cannot draw: OpenGL refuses a silhouette of " + std::to_string(size) + " pixels");
+  }
+  glBindVertexArray(s.array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, s.positions.name());
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertex_count * sizeof(Eigen::Vector3f)), nullptr,
+               GL_DYNAMIC_DRAW);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
+  glEnableVertexAttribArray(0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices.name());
+  s.context.check("preparing silhouettes");
 }
 
 SilhouetteRenderer::~SilhouetteRenderer() = default;
 
-void SilhouetteRenderer::State::place(std::span<const Vec3> positions, const Camera& camera) {
-  const double scale = kParts * camera.pixels_per_metre;
-  const Vec3 right = scale * camera.view_from_body.row(0).transpose(),
-             down = -scale * camera.view_from_body.row(1).transpose();
-  const double middle_x = kParts * 0.5 * camera.width, middle_y = kParts * 0.5 * camera.height;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vec3 p = positions[i] - camera.centre;
-    corners[i] = {rounded(middle_x + right.dot(p)), rounded(middle_y + down.dot(p))};
-    cells[i] = {first_centre(corners[i].x, size), first_centre(corners[i].y, size)};
+void SilhouetteRenderer::State::stage(std::span<const Vec3> points, const Vec3& origin) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check_drawable(points[i], i);
+    staged[i] = (points[i] - origin).cast<float>();
   }
+  glBindBuffer(GL_ARRAY_BUFFER, positions.name());
+  glBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(staged.size() * sizeof(Eigen::Vector3f)),
+                  staged.data());
 }
 
-Silhouette SilhouetteRenderer::State::draw(std::span<const Vec3> positions, const Camera& camera) {
-  place(positions, camera);
-  Silhouette out{size, std::vector<std::uint8_t>(std::size_t(size) * std::size_t(size))};
-  for (const Triangle& t : triangles) {
-    const Cell &a = cells[t[0]], &b = cells[t[1]], &c = cells[t[2]];
-    const Cell low{std::min({a.column, b.column, c.column}), std::min({a.row, b.row, c.row})};
-    const Cell high{std::max({a.column, b.column, c.column}), std::max({a.row, b.row, c.row})};
-    // Of a fine scan, most triangles lie between the centres.
-    if (low.column == high.column || low.row == high.row) continue;
-    cover({corners[t[0]], corners[t[1]], corners[t[2]]}, low, high, out);
+void SilhouetteRenderer::State::choose(std::span<const Vec3> points, const Camera& camera) {
+  const Vec3 right = camera.pixels_per_metre * camera.view_from_body.row(0).transpose();
+  const Vec3 up = camera.pixels_per_metre * camera.view_from_body.row(1).transpose();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = points[i] - camera.centre;
+    Centres& c = centres[i];
+    std::tie(c.first_column, c.last_column) = centres_beside(right.dot(p), 0.5 * camera.width);
+    std::tie(c.first_row, c.last_row) = centres_beside(up.dot(p), 0.5 * camera.height);
   }
-  return out;
+  shown.clear();
+  for (const Triangle& t : triangles)
+    if (may_show(centres[t[0]], centres[t[1]], centres[t[2]])) shown.push_back(t);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(std::span(shown).size_bytes()), shown.data(),
+               GL_STREAM_DRAW);
+}
+
+Silhouette SilhouetteRenderer::State::draw(std::span<const Vec3> points, const Camera& camera,
+                                           const Vec3& origin) {
+  choose(points, camera);
+  // Depth does not count: the mesh is flattened so that nothing is cut off in front or behind.
+  Eigen::Matrix4f flat = clip_from_body(camera, origin);
+  flat.row(2).setZero();
+  shader.set("clip_from_body", flat);
+  constexpr std::array<GLfloat, 4> kNothing = {0, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, kNothing.data());
+  glDrawElements(GL_TRIANGLES, GLsizei(3 * shown.size()), GL_UNSIGNED_INT, nullptr);
+  Silhouette silhouette{size, std::vector<std::uint8_t>(std::size_t(size) * std::size_t(size))};
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glReadPixels(0, 0, size, size, GL_RED, GL_UNSIGNED_BYTE, silhouette.covered.data());
+  for (std::uint8_t& pixel : silhouette.covered) pixel = pixel != 0 ? 1 : 0;
+  return silhouette;
 }
 
 std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions,
@@ -167,7 +175,14 @@ std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions
   }
   std::vector<Silhouette> silhouettes;
   if (cameras.empty()) return silhouettes;
-  for (std::size_t i = 0; i < positions.size(); ++i) check_drawable(positions[i], i);
+  const Vec3 origin = cameras.front().centre;
+  glBindFramebuffer(GL_FRAMEBUFFER, s.framebuffer.name());
+  glBindVertexArray(s.array.name());
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glViewport(0, 0, s.size, s.size);
+  s.stage(positions, origin);
+  s.shader.use();
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     const Camera& camera = cameras[c];
     if (camera.width != s.size || camera.height != s.size) {
@@ -177,9 +192,10 @@ std::vector<Silhouette> SilhouetteRenderer::draw(std::span<const Vec3> positions
     const auto drawn = std::find_if(cameras.begin(), cameras.begin() + c,
                                     [&](const Camera& other) { return opposite(camera, other); });
     silhouettes.push_back(drawn == cameras.begin() + c
-                              ? s.draw(positions, camera)
+                              ? s.draw(positions, camera, origin)
                               : mirrored(silhouettes[drawn - cameras.begin()]));
   }
+  s.context.check("silhouettes");
   return silhouettes;
 }
 

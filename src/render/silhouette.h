@@ -19,9 +19,9 @@ struct Silhouette {
 };
 
 /// Draws silhouettes of a mesh whose triangles stay and whose vertices move, as the paper's
-/// silhouette error asks for at every step (Hasler et al. 2007, sec. 3.5). Fills masks itself: with
-/// neither depth nor colours to look after, that takes a tenth of OpenGL's time. Keeps what it
-/// needs from call to call; one thread at a time.
+/// silhouette error asks for at every step (Hasler et al. 2007, sec. 3.5). Hands OpenGL only the
+/// triangles that may have the centre of a pixel in them. Keeps one framebuffer and one vertex
+/// buffer. Uses the thread's context; stay in one thread.
 class SilhouetteRenderer {
  public:
   /// Masks of `size` x `size` pixels, 1..4096. Throws InvalidInput for another size or a triangle

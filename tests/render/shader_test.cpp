@@ -31,7 +31,7 @@ TEST(Shader, ErrorIsOneLine) {
 
 TEST(Shader, BuiltInPairsCompile) {
   Context::of_this_thread();
-  for (const char* name : {"mesh", "splat"}) EXPECT_NO_THROW(Shader{name}) << name;
+  for (const char* name : {"mesh", "splat", "silhouette"}) EXPECT_NO_THROW(Shader{name}) << name;
 }
 
 TEST(Shader, RefusesUnknownNamesAndUniforms) {

@@ -9,7 +9,7 @@
 namespace regarment {
 namespace {
 
-constexpr double kSnap = 1.0 / 64;  // pixels; corners are placed to a 256th of a pixel
+constexpr double kSnap = 1.0 / 64;  // pixels; OpenGL places corners to a 256th of a pixel
 
 std::vector<Camera> square_cameras(const Box& box, int size) {
   Framing framing;
@@ -159,8 +159,8 @@ TEST(Silhouette, OfATriangleFarLargerThanThePictureIsCutOff) {
   Camera camera;
   camera.width = camera.height = 32;
   camera.pixels_per_metre = 10;
-  // Everything above the line y = x, as far as a picture goes.
-  const std::vector<Vec3> positions = {{-9e8, -9e8, 0}, {9e8, 9e8, 0}, {-9e8, 9e8, 0}};
+  // Everything above the line y = x, hundreds of pictures far.
+  const std::vector<Vec3> positions = {{-900, -900, 0}, {900, 900, 0}, {-900, 900, 0}};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   SilhouetteRenderer renderer(triangles, 3, 32);
   const auto masks = renderer.draw(positions, std::span(&camera, 1));

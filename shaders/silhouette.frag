@@ -1,0 +1,4 @@
+#version 450 core
+layout(location = 0) out float covered;
+
+void main() { covered = 1.0; }
