@@ -4,6 +4,7 @@
 
 #include "app/annealing_options.h"
 #include "app/bench_options.h"
+#include "app/check_arguments.h"
 #include "app/evaluate_options.h"
 #include "app/shell_help.h"
 #include "app/synthesize_options.h"
@@ -112,6 +113,21 @@ CLI::App* add_evaluate(CLI::App& app, EvaluateArguments& a) {
   add_evaluate_options(*evaluate, a);
   add_speech(*evaluate, a.speech);
   return evaluate;
+}
+
+CLI::App* add_batch(CLI::App& app, BatchArguments& a) {
+  CLI::App* batch =
+      app.add_subcommand("batch", "Measure the scans of a campaign, on one machine or by Slurm");
+  add_batch_options(*batch, a);
+  add_speech(*batch, a.speech);
+  return batch;
+}
+
+CLI::App* add_batch_task(CLI::App& app, BatchTaskArguments& a) {
+  CLI::App* task = app.add_subcommand("batch-task", "What the tasks of 'batch' run");
+  add_batch_task_options(*task, a);
+  add_speech(*task, a.speech);
+  return task;
 }
 
 CLI::App* add_synthesize(CLI::App& app, SynthesizeArguments& a) {
@@ -231,82 +247,6 @@ void check_command_name(const CLI::App& app, int argc, const char* const* argv) 
                    in_words(known));
 }
 
-// A flag that was taken for a value: "--out --force".
-void check_value(const std::string& option, const std::filesystem::path& value) {
-  if (value.empty()) throw UsageError(option + ": the value is empty; give a path");
-  if (value.string().starts_with("--")) {
-    throw UsageError(option + ": '" + one_line(value.string(), 60) +
-                     "' looks like an option; write ./" + one_line(value.string(), 60) +
-                     " for a file of that name");
-  }
-}
-
-void check_method(const std::string& method) {
-  if (method == "direct" || method == "annealing" || method == "joint") return;
-  throw UsageError("--method: '" + one_line(method, 60) +
-                   "' is unknown; use --method joint, direct or annealing");
-}
-
-void check_name(const std::string& name) {
-  constexpr std::size_t kLongest = 255;
-  if (name.size() > kLongest || name == "." || name == ".." ||
-      name.find_first_of(std::string_view("/\0", 2)) != std::string::npos) {
-    throw UsageError("--name: '" + one_line(name, 60) +
-                     "' is no file name; give one of at most 255 characters, without '/'");
-  }
-}
-
-void check(const FitArguments& a) {
-  check_method(a.method);
-  check_value("SCAN", a.scan);
-  check_name(a.name);
-  check_value("--out", a.out);
-  for (const std::string& garment : a.garments) check_value("--garment", garment);
-  if (a.garments.size() > 8) throw UsageError("--garment: more than 8 layers; give fewer");
-  check_known(a.known);
-  if (a.placement) check_value("--placement", *a.placement);
-  if (a.cache) check_value("--cache", *a.cache);
-  if (a.ground_truth) check_value("--ground-truth", *a.ground_truth);
-  if (a.ground_truth_labels) check_value("--ground-truth-labels", *a.ground_truth_labels);
-  if (a.up != "auto" && a.front != "auto" && a.up.back() == a.front.back()) {
-    throw UsageError("--up " + a.up + " --front " + a.front + ": both along one axis; change one");
-  }
-}
-
-void check(const RefitArguments& a) {
-  check_value("DIR", a.folder);
-  if (a.out) check_value("--out", *a.out);
-  if (!a.out && !a.force)
-    throw UsageError("refit: give --out FOLDER, or --force to replace the result in DIR");
-  if (a.method) check_method(*a.method);
-  check_known(a.known);
-}
-
-void check(const EvaluateArguments& a) {
-  check_value("TABLE", a.table);
-  check_value("--out", a.out);
-  if (a.scans) check_value("--scans", *a.scans);
-  if (a.estimates) check_value("--estimates", *a.estimates);
-  if (a.baseline) check_value("--baseline", *a.baseline);
-  check_evaluate_options(a);
-}
-
-void check(const SynthesizeArguments& a) {
-  check_value("--out", a.out);
-  for (const std::string& garment : a.garments) check_value("--garment", garment);
-}
-
-void check(const ReviewArguments& a) {
-  check_value("--out", a.out);
-  for (const auto& folder : a.folders) check_value("DIR", folder);
-}
-
-void check(const RenderArguments& a) {
-  check_value("--out", a.out);
-  for (const auto& mesh : a.meshes) check_value("MESH", mesh);
-  if (a.meshes.size() > 1000) throw UsageError("MESH: more than 1000 files; give fewer");
-}
-
 std::string in_one_line(const CLI::ParseError& error, const std::string& command) {
   std::string text = error.what();
   if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
@@ -320,6 +260,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   FitArguments fit;
   RefitArguments refit;
   EvaluateArguments evaluate;
+  BatchArguments batch;
+  BatchTaskArguments batch_task;
   SynthesizeArguments synthesize;
   ReportArguments report;
   ReviewArguments review;
@@ -338,6 +280,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App* fit_app = add_fit(app, fit);
   CLI::App* refit_app = add_refit(app, refit);
   CLI::App* evaluate_app = add_evaluate(app, evaluate);
+  CLI::App* batch_app = add_batch(app, batch);
+  CLI::App* batch_task_app = add_batch_task(app, batch_task);
   CLI::App* synthesize_app = add_synthesize(app, synthesize);
   CLI::App* report_app = add_report(app, report);
   CLI::App* review_app = add_review(app, review);
@@ -373,8 +317,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (used() == fit_app) return check(fit), fit;
   if (used() == refit_app) return check(refit), refit;
   if (used() == evaluate_app) return check(evaluate), evaluate;
+  if (used() == batch_app) return check(batch), batch;
+  if (used() == batch_task_app) return check(batch_task), batch_task;
   if (used() == synthesize_app) return check(synthesize), synthesize;
-  if (used() == report_app) return check_value("DIR", report.folder), report;
+  if (used() == report_app) return check(report), report;
   if (used() == review_app) return check(review), review;
   if (used() == render_app) return check(render), render;
   if (used() == serve_app) return serve;

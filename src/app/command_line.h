@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/batch_options.h"
 #include "app/known_options.h"
 #include "app/service_options.h"
 #include "app/speech.h"
@@ -125,10 +126,11 @@ struct TextAnswer {
   std::string text;
 };
 
-using Command = std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
-                             ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
-                             ServeArguments, WorkerArguments, KeyArguments, ConfigArguments,
-                             DoctorArguments, BenchArguments, TextAnswer>;
+using Command =
+    std::variant<FitArguments, RefitArguments, EvaluateArguments, SynthesizeArguments,
+                 ReportArguments, ReviewArguments, RenderArguments, TemplatesArguments,
+                 ServeArguments, WorkerArguments, KeyArguments, ConfigArguments, DoctorArguments,
+                 BenchArguments, BatchArguments, BatchTaskArguments, TextAnswer>;
 
 /// Reads the command line. Throws UsageError, in one line, on anything it does not know.
 Command parse_command_line(int argc, const char* const* argv);

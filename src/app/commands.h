@@ -20,6 +20,13 @@ void run_refit(const RefitArguments& arguments, Console& console);
 /// no result and no gate speaks of failures; both once everything is written.
 void run_evaluate(const EvaluateArguments& arguments, Console& console);
 
+/// Fits the scans of a table here or by Slurm, goes on where it was, and sums up; or says how far a
+/// batch is. Throws as run_evaluate once everything is written.
+void run_batch(const BatchArguments& arguments, Console& console);
+
+/// One shard of a batch, or its merge: what its tasks run. Throws as run_evaluate after a merge.
+void run_batch_task(const BatchTaskArguments& arguments, Console& console);
+
 /// Makes dressed people with known dimensions, scanned, into a folder. Says its ground-truth table.
 void run_synthesize(const SynthesizeArguments& arguments, Console& console);
 

@@ -1,27 +1,11 @@
 #include "app/evaluate_options.h"
 
 #include <CLI/CLI.hpp>
-#include <sstream>
 
+#include "app/every_fit_options.h"
 #include "base/error.h"
 
 namespace regarment {
-namespace {
-
-// An option of `fit` that every fit is to be given; its value is checked there.
-void forward(CLI::App& app, EvaluateArguments& a, const std::string& name,
-             const std::string& help) {
-  app.add_option_function<std::string>(
-         name,
-         [&a, name](const std::string& value) {
-           a.fit_options.push_back(name);
-           a.fit_options.push_back(value);
-         },
-         help)
-      ->group("Every fit");
-}
-
-}  // namespace
 
 void add_evaluate_options(CLI::App& evaluate, EvaluateArguments& a) {
   evaluate.add_option("TABLE", a.table, "CSV table of scans and their true dimensions")->required();
@@ -47,19 +31,7 @@ void add_evaluate_options(CLI::App& evaluate, EvaluateArguments& a) {
       ->capture_default_str();
   evaluate.add_flag("!--no-timing", a.timing,
                     "Leave out times, so that two evaluations give the same bytes");
-  forward(evaluate, a, "--method", "How to find the dimensions, see 'regarment fit --help'");
-  forward(evaluate, a, "--seed", "Seed");
-  forward(evaluate, a, "--runs", "Searches of the method annealing");
-  forward(evaluate, a, "--evaluations", "Drapes of each search");
-  evaluate
-      .add_option_function<std::string>(
-          "--args",
-          [&a](const std::string& text) {
-            std::istringstream words(text);
-            for (std::string word; words >> word;) a.fit_options.push_back(word);
-          },
-          "Other options of 'regarment fit', in one text: --args \"--collisions --up +z\"")
-      ->group("Every fit");
+  add_every_fit_options(evaluate, a.fit_options);
 }
 
 void check_evaluate_options(const EvaluateArguments& a) {

@@ -38,6 +38,14 @@ struct Run {
     Console console(arguments.speech, stop);
     run_evaluate(arguments, console);
   }
+  void operator()(const BatchArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_batch(arguments, console);
+  }
+  void operator()(const BatchTaskArguments& arguments) const {
+    Console console(arguments.speech, stop);
+    run_batch_task(arguments, console);
+  }
   void operator()(const SynthesizeArguments& arguments) const {
     Console console(arguments.speech, stop);
     run_synthesize(arguments, console);

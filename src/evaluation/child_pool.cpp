@@ -53,6 +53,7 @@ void run(const std::vector<std::vector<std::string>>& commands, const ChildPoolO
   while (next < commands.size() || !children.empty()) {
     still_wanted();
     while (next < commands.size() && children.size() < static_cast<std::size_t>(options.at_once)) {
+      if (options.starting) options.starting(next);
       children.push_back(
           std::unique_ptr<Child>(new Child{next, ChildProcess(commands[next], limits)}));
       ++next;

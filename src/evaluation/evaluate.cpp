@@ -6,16 +6,13 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "evaluation/baseline.h"
-#include "evaluation/confusion_picture.h"
 #include "evaluation/estimates.h"
-#include "evaluation/evaluation_csv.h"
 #include "evaluation/evaluation_folder.h"
-#include "evaluation/evaluation_json.h"
-#include "evaluation/evaluation_page.h"
 #include "evaluation/evaluation_table.h"
 #include "evaluation/fit_job.h"
 #include "evaluation/gate.h"
 #include "evaluation/scan_outcome.h"
+#include "evaluation/sum_up.h"
 #include "report/files.h"
 #include "report/text.h"
 #include "report/version.h"
@@ -30,13 +27,6 @@ constexpr std::size_t kMostBaselineBytes = std::size_t{256} << 20U;
 
 CsvTable read_table(const fs::path& file) {
   return CsvTable::parse(read_file(file, kMostTableBytes), file.filename().string());
-}
-
-std::string time_text(double seconds) {
-  const long whole = std::lround(seconds);
-  if (whole < 60) return std::to_string(whole) + " s";
-  if (whole < 3600) return std::to_string(whole / 60) + " min";
-  return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
 }
 
 // Tells how far the fits are.
@@ -57,7 +47,7 @@ class FitProgress {
     }
     if (fresh_ > 0 && done_ < scans_) {
       const double each = watch_.total() / static_cast<double>(fresh_);
-      line_ += ", " + time_text(each * static_cast<double>(scans_ - done_)) + " left";
+      line_ += ", " + duration_text(each * static_cast<double>(scans_ - done_)) + " left";
     }
     tell();
   }
@@ -122,39 +112,6 @@ std::vector<EvaluatedScan> fit_all(const std::vector<EvaluationCase>& cases,
   return scans;
 }
 
-// The groups there will be, before anything is fitted.
-std::vector<GroupStatistics> expected_groups(const std::vector<EvaluationCase>& cases) {
-  std::vector<EvaluatedScan> scans;
-  for (const EvaluationCase& one : cases) {
-    scans.emplace_back();
-    scans.back().about = one;
-  }
-  return group_statistics(scans);
-}
-
-// Of the scans the page shows first, as far as they have true labels.
-void draw_worst(Evaluation& evaluation, const fs::path& fits, const Progress& progress) {
-  const std::vector<std::size_t> worst = worst_scans(evaluation);
-  for (std::size_t k = 0; k < worst.size(); ++k) {
-    const EvaluatedScan& scan = evaluation.scans[worst[k]];
-    progress.report("draw", static_cast<double>(k) / static_cast<double>(worst.size()));
-    if (!scan.labels) continue;
-    try {
-      DrawnConfusion drawn = draw_confusion(scan.about, fits / scan.about.name);
-      evaluation.pictures.push_back({worst[k], std::move(drawn.webp), drawn.width, drawn.height});
-    } catch (const NoPersonError&) {
-      // Standing only by its own options, such as --front; the page goes without this picture.
-    }
-  }
-  progress.report("draw", 1);
-}
-
-void write(const Evaluation& evaluation, const EvaluationFolder& folder) {
-  folder.write("evaluation.csv", evaluation_csv(evaluation));
-  folder.write("evaluation.html", evaluation_page(evaluation));
-  folder.write("evaluation.json", evaluation_json(evaluation));
-}
-
 }  // namespace
 
 Evaluation evaluate(const EvaluateOptions& options, const Progress& progress) {
@@ -175,8 +132,7 @@ Evaluation evaluate(const EvaluateOptions& options, const Progress& progress) {
   if (options.estimates) {
     out.estimates = options.estimates->filename().string();
     out.scans = compare_estimates(table, table_folder, read_table(*options.estimates));
-    out.groups = group_statistics(out.scans);
-    check_gate_groups(gates, out.groups);
+    check_gate_groups(gates, group_statistics(out.scans));
   }
   std::vector<EvaluationCase> cases;
   if (!options.estimates) {
@@ -187,12 +143,8 @@ Evaluation evaluate(const EvaluateOptions& options, const Progress& progress) {
   if (!options.estimates) {
     const std::vector<FitJob> jobs = make_jobs(cases, options, folder.fits());
     out.scans = fit_all(cases, jobs, options, progress);
-    out.groups = group_statistics(out.scans);
-    draw_worst(out, folder.fits(), progress);
   }
-  out.gates = judge(gates, out.groups);
-  if (baseline) out.baseline = compare_with(*baseline, out);
-  write(out, folder);
+  sum_up(out, gates, baseline, folder, progress);
   return out;
 }
 

@@ -67,15 +67,7 @@ EvaluationFolder::EvaluationFolder(fs::path place) : place_(std::move(place)) {
 EvaluationFolder::~EvaluationFolder() { ::close(lock_); }
 
 void EvaluationFolder::write(const std::string& name, std::string_view bytes) const {
-  const fs::path hidden = place_ / ("." + name + ".part");
-  std::error_code error;
-  fs::remove(hidden, error);
-  write_file(hidden, bytes);
-  fs::rename(hidden, place_ / name, error);
-  if (!error) return;
-  const int why = error.value();
-  fs::remove(hidden, error);
-  throw_write_error(place_ / name, why);
+  replace_file(place_ / name, bytes);
 }
 
 }  // namespace regarment

@@ -46,24 +46,30 @@ std::string key_of(const EvaluationCase& one, const FitJobOptions& options,
 
 }  // namespace
 
+std::vector<std::string> fit_words(const EvaluationCase& one, const FitJobOptions& options) {
+  std::vector<std::string> words = {path_argument(one.scan)};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    words.push_back(name), words.push_back(value);
+  };
+  for (const std::string& garment : one.garments) add("--garment", garment);
+  words.insert(words.end(), {"--quiet", "--no-state"});
+  add("--threads", std::to_string(options.threads));
+  if (!options.timing) words.push_back("--no-timing");
+  if (!one.dimensions.empty()) add("--ground-truth", path_argument(options.table));
+  if (one.labels) add("--ground-truth-labels", path_argument(*one.labels));
+  words.insert(words.end(), options.options.begin(), options.options.end());
+  words.insert(words.end(), one.options.begin(), one.options.end());
+  return words;
+}
+
 FitJob make_fit_job(const EvaluationCase& one, const FitJobOptions& options,
                     const std::string& program_sha256) {
   FitJob job;
   job.folder = options.fits / one.name;
   job.key = key_of(one, options, program_sha256);
-  job.command = {options.program.string(), "fit", path_argument(one.scan)};
-  const auto add = [&](const std::string& name, const std::string& value) {
-    job.command.push_back(name), job.command.push_back(value);
-  };
-  for (const std::string& garment : one.garments) add("--garment", garment);
-  add("--out", path_argument(job.folder));
-  job.command.insert(job.command.end(), {"--force", "--quiet", "--no-state"});
-  add("--threads", std::to_string(options.threads));
-  if (!options.timing) job.command.push_back("--no-timing");
-  add("--ground-truth", path_argument(options.table));
-  if (one.labels) add("--ground-truth-labels", path_argument(*one.labels));
-  job.command.insert(job.command.end(), options.options.begin(), options.options.end());
-  job.command.insert(job.command.end(), one.options.begin(), one.options.end());
+  job.command = fit_words(one, options);
+  job.command.insert(job.command.begin(), {options.program.string(), "fit"});
+  job.command.insert(job.command.end(), {"--out", path_argument(job.folder), "--force"});
   return job;
 }
 

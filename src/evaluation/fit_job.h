@@ -25,6 +25,9 @@ struct FitJobOptions {
   bool timing = true;  // false: --no-timing
 };
 
+/// The words after `fit` that say what is fitted and how: all but the program, --out and --force.
+std::vector<std::string> fit_words(const EvaluationCase& one, const FitJobOptions& options);
+
 /// `program_sha256`: of the program's bytes.
 FitJob make_fit_job(const EvaluationCase& one, const FitJobOptions& options,
                     const std::string& program_sha256);

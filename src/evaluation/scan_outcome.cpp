@@ -72,14 +72,6 @@ std::string kind_of(const ResultScan& scan) {
   return scan.holes > 0 ? "open" : "closed";
 }
 
-EvaluatedScan without_result(const EvaluationCase& about, ScanFailure failure) {
-  EvaluatedScan out;
-  out.about = about;
-  if (out.about.kind.empty()) out.about.kind = "unknown";
-  out.failure = std::move(failure);
-  return out;
-}
-
 std::string without_name(const std::string& line) {
   constexpr std::string_view kName = "regarment: ";
   return line.starts_with(kName) ? line.substr(kName.size()) : line;
@@ -105,6 +97,14 @@ std::string failure_kind(const ChildEnd& end) {
   }
 }
 
+EvaluatedScan scan_without_result(const EvaluationCase& about, ScanFailure failure) {
+  EvaluatedScan out;
+  out.about = about;
+  if (out.about.kind.empty()) out.about.kind = "unknown";
+  out.failure = std::move(failure);
+  return out;
+}
+
 EvaluatedScan failed_scan(const EvaluationCase& about, const ChildEnd& end, long timeout) {
   ScanFailure failure{failure_kind(end), end.status, without_name(end.last_line)};
   if (end.timed_out) {
@@ -113,7 +113,7 @@ EvaluatedScan failed_scan(const EvaluationCase& about, const ChildEnd& end, long
     failure.line = "ended by signal " + std::to_string(end.status - 128) +
                    (failure.line.empty() ? "" : "; last it said: " + failure.line);
   }
-  return without_result(about, std::move(failure));
+  return scan_without_result(about, std::move(failure));
 }
 
 EvaluatedScan finished_scan(const EvaluationCase& about, const fs::path& folder) {
@@ -131,7 +131,7 @@ EvaluatedScan finished_scan(const EvaluationCase& about, const fs::path& folder)
     out.report = "fits/" + about.name + "/report.html";
     return out;
   } catch (const ReadError& error) {
-    return without_result(
+    return scan_without_result(
         about, {"unreadable or no person", error.exit_status(), one_line(error.what(), 500)});
   }
 }

@@ -76,6 +76,19 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   if (!file.close()) throw_write_error(path, errno);
 }
 
+void replace_file(const std::filesystem::path& path, std::string_view bytes) {
+  const std::filesystem::path hidden =
+      path.parent_path() / ("." + path.filename().string() + ".part");
+  std::error_code error;
+  std::filesystem::remove(hidden, error);
+  write_file(hidden, bytes);
+  std::filesystem::rename(hidden, path, error);
+  if (!error) return;
+  const int why = error.value();
+  std::filesystem::remove(hidden, error);
+  throw_write_error(path, why);
+}
+
 void throw_write_error(const std::filesystem::path& file, int error) {
   const std::string what = file.string() + ": cannot be written (" + std::strerror(error) + "); ";
   const bool temporary = error == ENOSPC || error == EDQUOT || error == EIO || error == ENOMEM ||

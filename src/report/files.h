@@ -15,6 +15,10 @@ std::string read_file(const std::filesystem::path& file, std::size_t max_bytes);
 /// writable.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Writes a file in one step, by way of a hidden one beside it: it is there whole or as it was
+/// before. One writer at a time. Throws as `write_file` does.
+void replace_file(const std::filesystem::path& file, std::string_view bytes);
+
 /// Throws what `write_file` throws for this `errno`, about `file`.
 [[noreturn]] void throw_write_error(const std::filesystem::path& file, int error);
 

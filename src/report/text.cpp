@@ -53,6 +53,14 @@ std::string count_text(std::size_t count) {
   return text;
 }
 
+std::string duration_text(double seconds) {
+  constexpr long kMinute = 60, kHour = 3600;
+  const long whole = std::lround(seconds);
+  if (whole < kMinute) return std::to_string(whole) + " s";
+  if (whole < kHour) return std::to_string(whole / kMinute) + " min";
+  return std::to_string(whole / kHour) + " h " + std::to_string(whole / kMinute % kMinute) + " min";
+}
+
 std::string shell_quoted(std::string_view argument) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./=:,@%";

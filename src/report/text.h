@@ -27,6 +27,9 @@ std::string short_text(double value);
 /// A count with thin groups of three: 131072 is "131 072" (narrow no-break spaces).
 std::string count_text(std::size_t count);
 
+/// A time for a person, to one unit or two: "40 s", "12 min", "3 h 5 min". Seconds, >= 0.
+std::string duration_text(double seconds);
+
 /// One argument as a POSIX shell reads it back: `a b` is `'a b'`, `skirt` stays.
 std::string shell_quoted(std::string_view argument);
 

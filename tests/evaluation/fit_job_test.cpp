@@ -26,9 +26,9 @@ TEST(FitJob, IsAWholeCommand) {
   scan.options = {"--up", "+z"};
   const FitJob job = make_fit_job(scan, usual(), "ff");
   EXPECT_EQ(job.command, (std::vector<std::string>{
-                             "/bin/regarment", "fit", "a.ply", "--garment", "skirt", "--out",
-                             "out/fits/a", "--force", "--quiet", "--no-state", "--threads", "2",
-                             "--ground-truth", "t.csv", "--method", "direct", "--up", "+z"}));
+                             "/bin/regarment", "fit", "a.ply", "--garment", "skirt", "--quiet",
+                             "--no-state", "--threads", "2", "--ground-truth", "t.csv", "--method",
+                             "direct", "--up", "+z", "--out", "out/fits/a", "--force"}));
 }
 
 TEST(FitJob, APathIsNeverTakenForAnOption) {
