@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using State = ScanStatus::State;
 
 constexpr std::size_t kMostResultBytes = 64U << 20U;
-constexpr int kTemporary = 75, kNotStarted = 127, kUnreadable = 3;  // exit statuses
+// Exit statuses.
+constexpr int kInternal = 1, kUnreadable = 3, kTemporary = 75, kNotStarted = 127;
 
 bool may_be_tried_again(const ChildEnd& end) {
   return !end.timed_out &&
@@ -97,13 +98,16 @@ class Runner {
 
   // The bytes that were fitted must be those that were planned.
   void take_result(std::size_t i) {
-    const std::string text = read_file(folder_.fit(scan(i).name) / "result.json", kMostResultBytes);
-    if (parse_result(text, "result.json").scan.sha256 == scan(i).sha256) {
-      return conclude(i, State::Succeeded, std::nullopt);
+    try {
+      const auto text = read_file(folder_.fit(scan(i).name) / "result.json", kMostResultBytes);
+      if (parse_result(text, "result.json").scan.sha256 == scan(i).sha256) {
+        return conclude(i, State::Succeeded, std::nullopt);
+      }
+      const std::string why = "the file is not the one the batch was planned with; run it again";
+      conclude(i, State::Failed, ScanFailure{"changed", kUnreadable, why});
+    } catch (const ReadError& error) {
+      conclude(i, State::Failed, ScanFailure{"internal error", kInternal, error.what()});
     }
-    conclude(i, State::Failed,
-             ScanFailure{"changed", kUnreadable,
-                         "the file is not the one the batch was planned with; run it again"});
   }
 
   void conclude(std::size_t i, State state, std::optional<ScanFailure> failure) {

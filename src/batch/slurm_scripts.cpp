@@ -28,7 +28,7 @@ std::string body(const Manifest& manifest, const SlurmOptions& options, const st
                  const std::string& words) {
   const std::size_t most = kMostAttempts * manifest.shard_size + kMoreRestarts;
   return "cd -- " + shell_quoted(options.here.string()) + " || exit 75\nexec >>" +
-         shell_quoted((options.folder / "log").string()) + "/" + log + " 2>&1\n" +
+         shell_quoted((options.folder / "log").string()) + "/" + log + " 2>&1 || exit 75\n" +
          shell_quoted(options.program.string()) + " batch-task " +
          shell_quoted(options.folder.string()) + words +
          "\nstatus=$?\n"
