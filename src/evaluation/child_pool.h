@@ -10,8 +10,8 @@
 namespace regarment {
 
 struct ChildPoolOptions {
-  int at_once = 1;                                    // >= 1
-  std::chrono::seconds timeout{3600};                 // of each child
+  int at_once = 1;                                      // >= 1
+  std::chrono::seconds timeout{3600};                   // of each child
   std::function<void(std::size_t command)> starting{};  // told before each is started; may be empty
 };
 

@@ -42,7 +42,7 @@ struct EvaluationCase {
   std::filesystem::path scan;                   // may not exist; then its fit says so
   std::string garment;                          // what the scan shows: scans of one thing have one
   std::vector<std::string> garments;            // templates, outermost first
-  std::vector<TrueDimension> dimensions;        // at least one
+  std::vector<TrueDimension> dimensions;        // none: its truth is not known
   std::optional<std::filesystem::path> labels;  // true labels, one byte per vertex
   std::vector<std::string> options;             // of its fit alone
   std::string kind;                             // "cloud", "open", "closed", ...; empty: look

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostLayers = 8;
 constexpr double kLongestWorn = 1000;  // cm
-constexpr std::size_t kMostScans = 5000;
+constexpr std::size_t kMostScans = 50'000;
 
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> out;
@@ -39,11 +39,30 @@ std::string stem_of(const fs::path& scan) {
   return (scan.parent_path() / name.substr(0, name.find('.', 1))).generic_string();
 }
 
+// The rows with a truth, and of scans that have none those that say what is worn; as they stand in
+// the table.
+std::vector<TruthRow> campaign_rows(const CsvTable& table) {
+  std::vector<TruthRow> rows;
+  if (table.has("measurement")) rows = truth_rows(table);
+  std::set<std::string> known;
+  for (const TruthRow& row : rows) known.insert(row.scan);
+  for (TruthRow& row : garment_rows(table)) {
+    if (!known.contains(row.scan)) rows.push_back(std::move(row));
+  }
+  std::sort(rows.begin(), rows.end(),
+            [](const TruthRow& a, const TruthRow& b) { return a.line < b.line; });
+  return rows;
+}
+
 // A table with what its rows mean.
 class Reader {
  public:
-  explicit Reader(const CsvTable& table) : table_(table), rows_(truth_rows(table)) {
-    for (std::size_t i = 0; i < table.size(); ++i) row_of_line_[table.line(i)] = i;
+  Reader(const CsvTable& table, std::vector<TruthRow> rows)
+      : table_(table), rows_(std::move(rows)) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      row_of_line_[table.line(i)] = i;
+      rows_named_[std::string(table.cell(i, "scan"))].push_back(i);
+    }
   }
 
   const std::vector<TruthRow>& rows() const { return rows_; }
@@ -56,7 +75,7 @@ class Reader {
       if (seen.insert(row.scan).second) out.push_back(row.scan);
     }
     if (out.size() > kMostScans) {
-      throw ReadError(table_.name() + ": names more than 5000 scans; cut it into several tables");
+      throw ReadError(table_.name() + ": names more than 50000 scans; cut it into several tables");
     }
     return out;
   }
@@ -64,6 +83,10 @@ class Reader {
   EvaluationCase make_case(const std::vector<TruthRow>& rows) {
     EvaluationCase out;
     for (const TruthRow& row : rows) {
+      if (row.measurement.empty()) {
+        template_named(row);
+        continue;
+      }
       TrueDimension dimension = dimension_of(row);
       for (const TrueDimension& other : out.dimensions) {
         if (other.layer == dimension.layer && other.measurement == dimension.measurement) {
@@ -173,10 +196,9 @@ class Reader {
       there = name;
     };
     for (const TruthRow& row : rows) add(row, row.layer.value_or(1), row.template_name);
-    for (std::size_t i = 0; i < table_.size(); ++i) {
+    for (const std::size_t i : rows_named_.at(rows.front().scan)) {
       const std::optional<double> layer = table_.number(i, "layer");
-      const bool same_scan = table_.cell(i, "scan") == rows.front().scan;
-      if (!same_scan || table_.cell(i, "template").empty()) continue;
+      if (table_.cell(i, "template").empty()) continue;
       add(rows.front(), layer ? static_cast<int>(*layer) : 1,
           std::string(table_.cell(i, "template")));
     }
@@ -193,6 +215,7 @@ class Reader {
   const CsvTable& table_;
   std::vector<TruthRow> rows_;
   std::map<std::size_t, std::size_t> row_of_line_;
+  std::map<std::string, std::vector<std::size_t>> rows_named_;  // of the table, by their scan
   std::map<std::string, GarmentTemplate> templates_;
 };
 
@@ -237,22 +260,11 @@ std::vector<TruthRow> rows_of_estimate(const Reader& reader, const fs::path& tab
   return out;
 }
 
-}  // namespace
-
-std::optional<bool> yes_or_no(const CsvTable& table, std::size_t row, std::string_view column) {
-  const std::string_view cell = table.cell(row, column);
-  if (cell.empty()) return std::nullopt;
-  if (cell == "true" || cell == "1" || cell == "yes") return true;
-  if (cell == "false" || cell == "0" || cell == "no") return false;
-  throw ReadError(table.where(row, column) + ": '" + one_line(cell, 40) +
-                  "' is neither true nor false");
-}
-
-std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
-                                                  const fs::path& table_folder,
-                                                  const std::optional<fs::path>& scans,
-                                                  const std::string& only) {
-  Reader reader(table);
+std::vector<EvaluationCase> cases_of(Reader reader, const CsvTable& table,
+                                     const fs::path& table_folder,
+                                     const std::optional<fs::path>& scans,
+                                     const std::string& only) {
+  const TruthIndex truth(reader.rows(), table_folder);
   std::vector<EvaluationCase> out;
   std::set<std::string> names;
   std::set<fs::path> files;
@@ -261,7 +273,7 @@ std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
     if (found.empty()) found = {table_folder / written};
     for (const fs::path& file : found) {
       if (!files.insert(file).second) continue;
-      std::vector<TruthRow> rows = rows_of_scan(reader.rows(), table_folder, file);
+      std::vector<TruthRow> rows = truth.rows_of(file);
       if (rows.empty()) continue;
       EvaluationCase one = reader.make_case(rows);
       one.scan = file;
@@ -282,9 +294,33 @@ std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
   return out;
 }
 
+}  // namespace
+
+std::optional<bool> yes_or_no(const CsvTable& table, std::size_t row, std::string_view column) {
+  const std::string_view cell = table.cell(row, column);
+  if (cell.empty()) return std::nullopt;
+  if (cell == "true" || cell == "1" || cell == "yes") return true;
+  if (cell == "false" || cell == "0" || cell == "no") return false;
+  throw ReadError(table.where(row, column) + ": '" + one_line(cell, 40) +
+                  "' is neither true nor false");
+}
+
+std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
+                                                  const fs::path& table_folder,
+                                                  const std::optional<fs::path>& scans,
+                                                  const std::string& only) {
+  return cases_of(Reader(table, truth_rows(table)), table, table_folder, scans, only);
+}
+
+std::vector<EvaluationCase> read_campaign_table(const CsvTable& table, const fs::path& table_folder,
+                                                const std::optional<fs::path>& scans,
+                                                const std::string& only) {
+  return cases_of(Reader(table, campaign_rows(table)), table, table_folder, scans, only);
+}
+
 std::vector<EvaluationCase> cases_of_estimates(const CsvTable& table, const fs::path& table_folder,
                                                const std::vector<std::string>& estimated) {
-  Reader reader(table);
+  Reader reader(table, truth_rows(table));
   std::vector<EvaluationCase> out;
   std::set<std::string> names, known;
   const auto add = [&](const std::string& scan, const std::vector<TruthRow>& rows) {

@@ -18,11 +18,18 @@ namespace regarment {
 /// between semicolons, any of which is right) of a scan, which need to be said in one of its rows
 /// and must not differ between them. `only` is a pattern with * and ? that a scan's name or its
 /// file's name must match; empty: all. Throws ReadError naming line and column of what is wrong,
-/// and when there are more than 5000 scans; UsageError when nothing is left.
+/// and when there are more than 50000 scans; UsageError when nothing is left.
 std::vector<EvaluationCase> read_evaluation_table(const CsvTable& table,
                                                   const std::filesystem::path& table_folder,
                                                   const std::optional<std::filesystem::path>& scans,
                                                   const std::string& only);
+
+/// The same for scans whose truth may not be known: those without any value have no dimensions, and
+/// their rows need `scan` and `template` alone.
+std::vector<EvaluationCase> read_campaign_table(const CsvTable& table,
+                                                const std::filesystem::path& table_folder,
+                                                const std::optional<std::filesystem::path>& scans,
+                                                const std::string& only);
 
 /// The same for a comparison without files: one case per name in `estimated`, which are scans as
 /// another table writes them. A name belongs to the truth of the same path or file name, of its

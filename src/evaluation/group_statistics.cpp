@@ -97,7 +97,9 @@ void add_dimension(const TrueDimension& truth, const FoundDimension& found, Grou
 
 void add_scan(const EvaluatedScan& scan, const Chosen& chosen, GroupStatistics& out,
               Gathered& all) {
-  bool in = false;
+  TrueDimension none;
+  none.layer = 0;
+  bool in = scan.about.dimensions.empty() && chosen(scan, none);
   for (std::size_t i = 0; i < scan.about.dimensions.size(); ++i) {
     const TrueDimension& truth = scan.about.dimensions[i];
     if (!chosen(scan, truth)) continue;

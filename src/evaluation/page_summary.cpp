@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "evaluation/gate.h"
 #include "evaluation/page_sections.h"
 #include "report/text.h"
@@ -9,6 +11,11 @@ std::string counted(std::size_t count, const std::string& one) {
   return count_text(count) + " " + one + (count == 1 ? "" : "s");
 }
 
+bool has_truth(const Evaluation& evaluation) {
+  return std::any_of(evaluation.scans.begin(), evaluation.scans.end(),
+                     [](const EvaluatedScan& scan) { return !scan.about.dimensions.empty(); });
+}
+
 std::string headline(const Evaluation& evaluation) {
   std::size_t failed = 0;
   for (const GateResult& gate : evaluation.gates) failed += gate.passed ? 0 : 1;
@@ -16,11 +23,14 @@ std::string headline(const Evaluation& evaluation) {
     return counted(failed, "gate") + " of " + count_text(evaluation.gates.size()) + " failed";
   if (!evaluation.gates.empty()) return "All gates passed";
   const GroupStatistics& all = evaluation.groups.front();
+  if (!has_truth(evaluation)) return counted(all.scans - all.failures, "scan") + " measured";
   if (all.errors.n == 0) return "Nothing could be measured";
   return "On average " + fixed_text(all.errors.mae_cm, 2) + " cm off";
 }
 
-std::string sentence(const GroupStatistics& all) {
+std::string sentence(const Evaluation& evaluation) {
+  const GroupStatistics& all = evaluation.groups.front();
+  if (!has_truth(evaluation)) return "The table says nothing of their true sizes.";
   std::string out = counted(all.errors.n, "dimension") + " of " + counted(all.scans, "scan") +
                     " compared with the truth.";
   if (all.errors.n > 0) {
@@ -105,7 +115,7 @@ void show_summary(const Evaluation& evaluation, Gaps& page) {
   const GroupStatistics& all = evaluation.groups.front();
   page.set("title", counted(all.scans, "scan") + " evaluated");
   page.set("headline", headline(evaluation));
-  page.set("sentence", sentence(all));
+  page.set("sentence", sentence(evaluation));
   bool look = all.failures > 0;
   std::vector<Gaps> gates;
   for (const GateResult& gate : evaluation.gates) {

@@ -1,8 +1,9 @@
 #include "report/ground_truth.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "base/error.h"
 #include "base/one_line.h"
@@ -66,19 +67,11 @@ std::optional<TruthRow> truth_row(const CsvTable& table, std::size_t i) {
   return row;
 }
 
-// 3: this very path, 2: the file's name, below 2: a stem, the longer the higher; 0: another scan.
-double nearness(const std::string& written, const fs::path& table_folder, const fs::path& scan) {
-  std::error_code ignored;
-  if (fs::equivalent(table_folder / written, scan, ignored)) return 3.0;
-  const std::string name = fs::path(written).filename().string();
-  fs::path stem = scan.filename();
-  if (name == stem.string()) return 2.0;
-  const double full_length = static_cast<double>(stem.string().size());
-  while (stem.has_extension()) {
-    stem = stem.stem();
-    if (name == stem.string()) return static_cast<double>(name.size()) / full_length;
-  }
-  return 0.0;
+// Device and inode, by which a file is the same whatever it is called; nothing where there is none.
+std::optional<std::pair<std::uint64_t, std::uint64_t>> file_number(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return std::pair<std::uint64_t, std::uint64_t>(status.st_dev, status.st_ino);
 }
 
 GarmentAnalysis* garment_of(const TruthRow& row, Analysis& analysis) {
@@ -128,16 +121,66 @@ std::vector<TruthRow> truth_rows(const CsvTable& table) {
   return rows;
 }
 
+std::vector<TruthRow> garment_rows(const CsvTable& table) {
+  for (const std::string_view column : {"scan", "template"}) {
+    if (!table.has(column)) {
+      throw ReadError(table.name() + ": line 1 names no column '" + std::string(column) + "'");
+    }
+  }
+  std::vector<TruthRow> rows;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    TruthRow row;
+    row.line = table.line(i);
+    row.scan = table.cell(i, "scan");
+    row.layer = layer_of(table, i);
+    row.template_name = table.cell(i, "template");
+    for (const std::string_view column : {"scan", "template"}) {
+      if (table.cell(i, column).empty()) throw ReadError(table.where(i, column) + " is empty");
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 std::vector<TruthRow> rows_of_scan(const std::vector<TruthRow>& rows, const fs::path& table_folder,
                                    const fs::path& scan) {
-  double nearest = 0.0;
-  std::vector<TruthRow> out;
-  for (const TruthRow& row : rows) {
-    const double near = nearness(row.scan, table_folder, scan);
-    if (near > nearest) out.clear();
-    nearest = std::max(near, nearest);
-    if (near > 0.0 && near == nearest) out.push_back(row);
+  return TruthIndex(rows, table_folder).rows_of(scan);
+}
+
+TruthIndex::TruthIndex(const std::vector<TruthRow>& rows, const fs::path& table_folder)
+    : rows_(rows) {
+  std::map<std::string, Indices> by_scan;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    by_scan[rows[i].scan].push_back(i);
+    by_name_[fs::path(rows[i].scan).filename().string()].push_back(i);
   }
+  for (const auto& [written, indices] : by_scan) {
+    const auto number = file_number(table_folder / written);
+    if (!number) continue;
+    Indices& all = by_file_[*number];
+    all.insert(all.end(), indices.begin(), indices.end());
+    std::sort(all.begin(), all.end());
+  }
+}
+
+// This very file, else its name, else its longest stem that is named.
+const TruthIndex::Indices* TruthIndex::find(const fs::path& scan) const {
+  if (const auto number = file_number(scan)) {
+    const auto found = by_file_.find(*number);
+    if (found != by_file_.end()) return &found->second;
+  }
+  for (fs::path name = scan.filename();; name = name.stem()) {
+    const auto found = by_name_.find(name.string());
+    if (found != by_name_.end()) return &found->second;
+    if (!name.has_extension()) return nullptr;
+  }
+}
+
+std::vector<TruthRow> TruthIndex::rows_of(const fs::path& scan) const {
+  std::vector<TruthRow> out;
+  const Indices* found = find(scan);
+  if (found == nullptr) return out;
+  for (const std::size_t i : *found) out.push_back(rows_[i]);
   return out;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/analysis.h"
@@ -27,12 +30,33 @@ struct TruthRow {
 /// A row without a value is skipped. Throws ReadError naming line and column.
 std::vector<TruthRow> truth_rows(const CsvTable& table);
 
+/// Who wears what, for tables that may say nothing of sizes: every row as one without measurement
+/// and value. `scan` and `template` must be there and filled. Throws ReadError naming line and
+/// column.
+std::vector<TruthRow> garment_rows(const CsvTable& table);
+
 /// The rows that speak of the scan file at `scan`. A row does so when its `scan` is that path seen
 /// from `table_folder`, else the file's name, else the name without one or more extensions
 /// ("skirt-1" for skirt-1.mesh.ply); only the nearest of these kinds counts.
 std::vector<TruthRow> rows_of_scan(const std::vector<TruthRow>& rows,
                                    const std::filesystem::path& table_folder,
                                    const std::filesystem::path& scan);
+
+/// The same for many scans of one table: each file the table names is looked at once.
+class TruthIndex {
+ public:
+  /// Keeps `rows` by reference.
+  TruthIndex(const std::vector<TruthRow>& rows, const std::filesystem::path& table_folder);
+  std::vector<TruthRow> rows_of(const std::filesystem::path& scan) const;
+
+ private:
+  using Indices = std::vector<std::size_t>;  // into rows_, ascending
+  const Indices* find(const std::filesystem::path& scan) const;
+
+  const std::vector<TruthRow>& rows_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Indices> by_file_;  // device and inode
+  std::map<std::string, Indices> by_name_;                              // of the file, as written
+};
 
 /// Writes truth, tolerances and published estimates into the measurements. A row belongs to the
 /// garment of its template (of its layer where two share the template, or where no template is

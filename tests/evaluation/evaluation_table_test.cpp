@@ -46,6 +46,46 @@ TEST_F(EvaluationTable, ReadsHowTheFileLiesInSpace) {
   EXPECT_FALSE(cases[1].frame.said());
 }
 
+TEST_F(EvaluationTable, ACampaignNeedsNoTruth) {
+  for (const char* name : {"a.ply", "b.ply", "c.ply"}) make(name);
+  const auto campaign = [&](const std::string& text) {
+    return read_campaign_table(CsvTable::parse(text, "t.csv"), home_.path(), std::nullopt, "");
+  };
+  const auto bare = campaign(
+      "scan,layer,template,options\nb.ply,2,skirt,\nb.ply,1,tshirt,--up +z\n"
+      "a.ply,,skirt,\n");
+  ASSERT_EQ(bare.size(), 2u);
+  EXPECT_EQ(bare[0].garments, (std::vector<std::string>{"tshirt", "skirt"}));
+  EXPECT_EQ(bare[0].options, (std::vector<std::string>{"--up", "+z"}));
+  EXPECT_TRUE(bare[0].dimensions.empty());
+  // Where some are known, the others stay, in the table's order.
+  const auto mixed = campaign(
+      "scan,template,measurement,value_cm\na.ply,skirt,hip,\n"
+      "b.ply,skirt,hip,94\nc.ply,skirt,waist,\n");
+  ASSERT_EQ(mixed.size(), 3u);
+  EXPECT_EQ(mixed[0].name, "a");
+  EXPECT_EQ(mixed[1].dimensions.size(), 1u);
+  EXPECT_TRUE(mixed[2].dimensions.empty());
+  EXPECT_THROW(campaign("scan,template\na.ply,\n"), ReadError);
+  EXPECT_THROW(campaign("scan,template\na.ply,cloak\n"), ReadError);
+  EXPECT_THROW(campaign("scan,layer\na.ply,1\n"), ReadError);
+}
+
+// As many as a campaign has; looking at each row for each scan would take minutes.
+TEST_F(EvaluationTable, ReadsTenThousandScans) {
+  std::string text = kHead;
+  for (int i = 0; i < 10'000; ++i) {
+    const std::string scan = "scan-" + std::to_string(i) + ".ply";
+    make(scan);
+    for (const char* dimension : {"length", "width", "waist", "hip"})
+      text += scan + ",1,skirt," + dimension + "," + std::to_string(40 + i % 50) + "\n";
+  }
+  const auto cases = read(text);
+  ASSERT_EQ(cases.size(), 10'000u);
+  EXPECT_EQ(cases[9'999].dimensions.size(), 4u);
+  EXPECT_EQ(cases[9'999].dimensions[3].truth_cm, 40 + 9'999 % 50);
+}
+
 TEST_F(EvaluationTable, KnowsWhichScansShowOneGarment) {
   for (const char* name : {"a.mesh.ply", "a.cloud.ply", "b.ply", "c.ply"}) make(name);
   const auto cases = read(
