@@ -2,7 +2,8 @@
 # Builds Regarment and passes its tests on a bare Debian 12:
 #   all tests, optimised, and again with the address and undefined-behaviour sanitizers;
 #   the libFuzzer targets for half a minute each; the form of the source; clang-tidy on what changed.
-# test.sh --full  fuzzes ten minutes a target, runs the thread sanitizer, clang-tidy on everything.
+# test.sh --full  fuzzes ten minutes a target, runs the thread sanitizer, clang-tidy on everything,
+#                 the package on a bare system, a batch by Slurm.
 # The last line is "N passed, N failed".
 set -u
 cd "$(dirname "$0")" || exit 1
@@ -30,6 +31,13 @@ check() {
     failed=$((failed + 1))
     echo "FAILED: $name"
   fi
+}
+
+# try NAME COMMAND...: the same for one that may leave with 77, which is neither.
+try() {
+  "${@:2}"
+  local status=$?
+  if [ "$status" = 77 ]; then echo "skipped: $1"; else check "$1" test "$status" = 0; fi
 }
 
 # build PRESET [TARGETS]: false, and one failure, when it does not build.
@@ -129,6 +137,7 @@ install_validators() {
 }
 
 scripts/install_packages.sh build test || exit 1
+[ "$full" = no ] || scripts/install_packages.sh full || exit 1
 install_validators
 
 build release && run_tests release && check "installed library and package" tests/package/library.sh
@@ -138,6 +147,8 @@ mapfile -t fuzzers < <(fuzz_targets)
 build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
 [ "$full" = no ] || fuzz_long "${fuzzers[@]}"
 [ "$full" = no ] || check "package on a bare system" tests/package/bare_system.sh
+[ "$full" = no ] || try "a batch by Slurm, killed part by part" \
+  python3 tests/slurm/slurm_test.py build/release/regarment examples/data
 headline "form"
 check "clang-format" format_is_right
 check "clang-tidy" tidy_is_clean

@@ -38,8 +38,8 @@ BatchOptions batch_options(const BatchArguments& a) {
 }
 
 void merge(const BatchFolder& folder, const Manifest& manifest,
-           const std::vector<std::string>& gates, Console& console) {
-  const Evaluation evaluation = merge_batch(folder, manifest, gates, console.progress());
+           const std::vector<std::string>& gates, int workers, Console& console) {
+  const Evaluation evaluation = merge_batch(folder, manifest, gates, workers, console.progress());
   const fs::path page = folder.place() / "evaluation.html";
   console.say(one_line(page.string(), kLongestLine));
   if (console.wants_json()) console.answer(evaluation_json(evaluation));
@@ -78,8 +78,9 @@ void run_batch(const BatchArguments& a, Console& console) {
   const BatchFolder folder = prepare_batch(*a.out, manifest, a.retry);
   if (a.engine == "slurm") return run_by_slurm(a, folder, manifest, console);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  run_all(folder, manifest, this_program(), a.workers > 0 ? a.workers : cores, console.progress());
-  merge(folder, manifest, a.gates, console);
+  const int workers = a.workers > 0 ? a.workers : cores;
+  run_all(folder, manifest, this_program(), workers, console.progress());
+  merge(folder, manifest, a.gates, workers, console);
 }
 
 void run_batch_task(const BatchTaskArguments& a, Console& console) {
@@ -87,7 +88,7 @@ void run_batch_task(const BatchTaskArguments& a, Console& console) {
   const Manifest manifest = folder.manifest();
   if (a.shard) return run_shard(folder, manifest, *a.shard, this_program(), console.progress());
   run_all(folder, manifest, this_program(), 1, console.progress());
-  merge(folder, manifest, a.gates, console);
+  merge(folder, manifest, a.gates, 1, console);
 }
 
 }  // namespace regarment

@@ -15,7 +15,7 @@ namespace regarment {
 ///   fits/NAME/       the result of each scan
 ///   status/NAME.json what became of it; written once its result stands
 ///   attempts/NAME    one byte for each try that has begun and not ended; gone once it has ended
-///   evaluation.*     the merge
+///   evaluation.*     the merge, and measurements.csv
 ///   .lock            see BatchLock
 /// Every file appears whole or not at all. Any number of processes may have one open.
 class BatchFolder {

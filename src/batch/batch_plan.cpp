@@ -28,7 +28,7 @@ std::vector<EvaluationCase> read_cases(const std::string& text, const Manifest& 
   const CsvTable table = CsvTable::parse(text, manifest.table.filename().string());
   const std::optional<fs::path> scans =
       manifest.scans_folder.empty() ? std::nullopt : std::optional(manifest.scans_folder);
-  return read_evaluation_table(table, manifest.table.parent_path(), scans, manifest.only);
+  return read_campaign_table(table, manifest.table.parent_path(), scans, manifest.only);
 }
 
 [[noreturn]] void throw_changed(const std::string& what) {

@@ -99,6 +99,25 @@ TEST(Batch, WritesTheSameBytesWhoeverDoesTheWork) {
   expect_same_files(two, tasks);
 }
 
+TEST(Batch, NeedsNoTruth) {
+  const TemporaryFolder home;
+  const fs::path table = home.path() / "table.csv", out = home.path() / "b";
+  std::ofstream(table) << "scan,template\nskirt-1,skirt\n";
+  const ProgramRun run = run_program(batch(table, out, {"--method", "direct"}), kFitSeconds);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json all = Json::parse(bytes_of(out / "evaluation.json"));
+  EXPECT_EQ(all.at("statistics").at(0).at("values").at("scans"), 1);
+  EXPECT_EQ(all.at("statistics").at(0).at("values").at("n"), 0);
+  EXPECT_NE(bytes_of(out / "evaluation.html").find("1 scan measured"), std::string::npos);
+  // The sizes are those of the fit, to the digits of its table.
+  const auto ours = lines_of(bytes_of(out / "measurements.csv"));
+  const auto fit = lines_of(bytes_of(out / "fits/skirt-1.mesh/measurements.csv"));
+  ASSERT_EQ(ours.size(), 5u) << "a skirt has four dimensions";
+  for (std::size_t i = 1; i < ours.size(); ++i) {
+    EXPECT_TRUE(("skirt-1.mesh," + fit.at(i)).starts_with(ours[i] + ",")) << ours[i];
+  }
+}
+
 TEST(Batch, BeingStoppedCostsNothing) {
   const TemporaryFolder home;
   const fs::path out = home.path() / "b";
