@@ -44,9 +44,8 @@ double thread_seconds();
 /// Unit normal of each triangle; zero for one without area.
 std::vector<Vec3> face_normals(const Mesh& mesh);
 
-/// Halves the longest edges of all triangles, a triangle at a time, until there are `least`.
-/// Neighbours split a shared edge at the same point, so the surface stays the same and closed
-/// enough for a nearest point. The mesh has normals, or none.
+/// Halves the longest sides, in both triangles that share one, until there are `least` triangles:
+/// the surface stays the same, and closed where it was. The mesh has normals, or none.
 void subdivide(Mesh& mesh, std::size_t least);
 
 /// Points `distance` (m) in front of and behind random places of the surface, as its normal points.

@@ -117,7 +117,7 @@ fs::path finer_copy(const Mesh& mesh, const BenchOptions& options) {
 void grow(Mesh& mesh, double vertices) {
   while (static_cast<double>(mesh.positions.size()) < vertices) {
     const double missing = vertices - static_cast<double>(mesh.positions.size());
-    const auto more = std::max<std::size_t>(1000, static_cast<std::size_t>(missing));
+    const auto more = std::max<std::size_t>(1000, static_cast<std::size_t>(2 * missing));
     subdivide(mesh, mesh.triangles.size() + more);
   }
 }

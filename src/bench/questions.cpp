@@ -27,27 +27,6 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-void subdivide(Mesh& mesh, std::size_t least) {
-  while (mesh.triangles.size() < least) {
-    const std::size_t count = mesh.triangles.size();
-    for (std::size_t t = 0; t < count && mesh.triangles.size() < least; ++t) {
-      const Triangle corner = mesh.triangles[t];
-      const auto length = [&](int k) {
-        return (mesh.positions[corner[k]] - mesh.positions[corner[(k + 1) % 3]]).squaredNorm();
-      };
-      const int k = length(0) >= length(1) ? (length(0) >= length(2) ? 0 : 2)
-                                           : (length(1) >= length(2) ? 1 : 2);
-      const auto a = corner[k], b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
-      const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
-      if (!mesh.normals.empty())
-        mesh.normals.push_back((mesh.normals[a] + mesh.normals[b]).normalized());
-      mesh.triangles[t] = {a, middle, c};
-      mesh.triangles.push_back({middle, b, c});
-    }
-  }
-}
-
 std::vector<Question> ask_near(const Mesh& mesh, double distance, std::size_t count) {
   const std::vector<Vec3> normals = face_normals(mesh);
   std::vector<double> area{0};

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "bench/closest_point_rivals.h"
@@ -31,6 +32,23 @@ TEST(Subdivide, KeepsTheSurface) {
   subdivide(mesh, 1000);
   EXPECT_GE(mesh.triangles.size(), 1000U);
   EXPECT_NEAR(area_of(mesh), 1.5 + std::sqrt(3.0) / 2, 1e-9);
+}
+
+// Euler: a closed surface has V - E + F = 2, and each side is in two triangles.
+TEST(Subdivide, LeavesAClosedSurfaceClosed) {
+  for (const std::size_t least : {5U, 7U, 50U, 777U}) {
+    Mesh mesh = tetrahedron();
+    subdivide(mesh, least);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    for (const Triangle& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
+    for (const auto& [side, times] : sides) {
+      EXPECT_EQ(times, 1);
+      EXPECT_TRUE(sides.contains({side.second, side.first}));
+    }
+    EXPECT_EQ(mesh.positions.size() - sides.size() / 2 + mesh.triangles.size(), 2U);
+    EXPECT_LE(mesh.triangles.size(), least + 1);
+  }
 }
 
 TEST(AskNear, AsksAtThatDistanceFromTheSurface) {
