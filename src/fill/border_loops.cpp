@@ -1,6 +1,7 @@
 #include "fill/border_loops.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -21,11 +22,17 @@ struct HalfEdge {
 /// All half-edges of a mesh, by their ends.
 class HalfEdges {
  public:
-  explicit HalfEdges(std::span<const Triangle> triangles) : triangles_(triangles) {
-    edges_.reserve(3 * triangles.size());
+  HalfEdges(std::span<const Triangle> triangles, std::size_t vertices)
+      : triangles_(triangles), edges_(3 * triangles.size()), start_(vertices + 1, 0) {
+    for (const Triangle& t : triangles)
+      for (const std::uint32_t v : t) ++start_[v + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
-      for (std::uint8_t k = 0; k < 3; ++k) edges_.push_back(of(t, k));
-    std::sort(edges_.begin(), edges_.end());
+      for (std::uint8_t k = 0; k < 3; ++k) edges_[next[triangles[t][k]]++] = of(t, k);
+    for (std::size_t v = 0; v < vertices; ++v)
+      std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(start_[v]),
+                edges_.begin() + static_cast<std::ptrdiff_t>(start_[v + 1]));
   }
 
   const std::vector<HalfEdge>& all() const { return edges_; }
@@ -38,9 +45,12 @@ class HalfEdges {
   HalfEdge after(const HalfEdge& edge) const { return of(edge.triangle, edge.corner + 1); }
 
   std::span<const HalfEdge> between(std::uint32_t from, std::uint32_t to) const {
-    const auto begin = std::lower_bound(edges_.begin(), edges_.end(), HalfEdge{from, to, 0, 0});
+    // By halves: any number of triangles may share a vertex.
+    const auto last = edges_.begin() + static_cast<std::ptrdiff_t>(start_[from + 1]);
+    const auto begin = std::lower_bound(edges_.begin() + static_cast<std::ptrdiff_t>(start_[from]),
+                                        last, HalfEdge{from, to, 0, 0});
     auto end = begin;
-    while (end != edges_.end() && end->from == from && end->to == to) ++end;
+    while (end != last && end->to == to) ++end;
     return {begin, end};
   }
 
@@ -61,7 +71,8 @@ class HalfEdges {
 
  private:
   std::span<const Triangle> triangles_;
-  std::vector<HalfEdge> edges_;
+  std::vector<HalfEdge> edges_;     // sorted
+  std::vector<std::size_t> start_;  // where those from each vertex begin; one more
 };
 
 /// Loops through distinct vertices, for a loop that may pass some more than once.
@@ -90,7 +101,7 @@ void take_apart(const std::vector<std::uint32_t>& loop, std::vector<std::uint8_t
 
 std::vector<std::vector<std::uint32_t>> border_loops(std::span<const Triangle> triangles,
                                                      std::size_t vertices) {
-  const HalfEdges edges(triangles);
+  const HalfEdges edges(triangles, vertices);
   std::vector<std::uint8_t> seen(3 * triangles.size(), 0), on_way(vertices, 0);
   const auto slot = [](const HalfEdge& e) { return 3 * std::size_t{e.triangle} + e.corner; };
   std::vector<std::vector<std::uint32_t>> out;
