@@ -31,7 +31,8 @@ const numberField = (label, value, placeholder, limits) => {
   return [make('label', { className: 'field' }, label, input), input];
 };
 
-const showEdge = (frame, garment, edge) => {
+// `limb`: what the edge lies round; a cuff's line crosses its own side of the picture alone.
+const showEdge = (frame, garment, edge, limb) => {
   const name = `${garment.template}.${edge.name}_edge`;
   const title = `${words(edge.name)}${result.garments.length > 1 ? `, ${garment.title}` : ''}`;
   const [field, input] = numberField(title, edge.height_cm.toFixed(1), '', { min: '1', max: '299' });
@@ -39,6 +40,7 @@ const showEdge = (frame, garment, edge) => {
     input.value = value.toFixed(1);
     note('hint', name, value, edge.height_cm);
   });
+  if (limb !== 'torso') line.element.classList.add(limb);
   line.put(edge.height_cm);
   input.addEventListener('input', () => {
     if (Number(input.value) > 0) line.put(Number(input.value));
@@ -70,9 +72,9 @@ const show = async () => {
   byId('sizes').replaceChildren();
   const frame = drawFront(byId('front-canvas'), view);
   for (const garment of result.garments) {
-    // Only edges round the trunk have one height that can be given.
-    const trunk = garments.find(({ name }) => name === garment.template)?.edges ?? [];
-    for (const edge of garment.edges) if (trunk.includes(edge.name)) showEdge(frame, garment, edge);
+    // A neckline has no single height that could be given.
+    const limbs = new Map(garments.find(({ name }) => name === garment.template)?.edges.map(({ name, limb }) => [name, limb]));
+    for (const edge of garment.edges) if (limbs.has(edge.name)) showEdge(frame, garment, edge, limbs.get(edge.name));
     for (const m of garment.measurements) showSize(garment, m);
   }
   changes = { hint: {}, fix: {} };

@@ -89,14 +89,14 @@ std::vector<Named> dimension_names(const std::vector<GarmentTemplate>& templates
   return out;
 }
 
-/// Edges round the trunk: only these have one height.
+/// Edges that have one height: of necklines, front and back differ.
 std::vector<Named> edge_names(const std::vector<GarmentTemplate>& templates) {
   constexpr double kCoarse = 0.2;  // m: the names are the same at any size
   std::vector<Named> out;
   for (const GarmentTemplate& garment : templates) {
     Named& one = out.emplace_back(Named{garment.name(), {}});
     for (const PatternEdge& edge : make_pattern(garment, garment.typical(), kCoarse).edges)
-      if (edge.limb == "torso") one.names.push_back(edge.name + kEdge);
+      if (edge.limb != "neck") one.names.push_back(edge.name + kEdge);
   }
   return out;
 }
@@ -169,9 +169,10 @@ void add_known_options(CLI::App& command, KnownArguments& a) {
   one_each(add(command.add_option("--fix", a.fix,
                                   "A dimension that is known, NAME=CM: held exactly; of several "
                                   "garments skirt.length=54; repeat for more")));
-  one_each(add(command.add_option("--hint", a.hint,
-                                  "Height of an edge above the floor, NAME_edge=CM: looked for "
-                                  "within 3 cm of it; repeat for more")));
+  one_each(
+      add(command.add_option("--hint", a.hint,
+                             "Height of an edge above the floor, NAME_edge=CM (waist, hem, "
+                             "left_cuff ...): looked for within 3 cm of it; repeat for more")));
   add(command.add_option("--fabric", a.fabric,
                          "How far worn cloth stretches: woven, jersey or elastic"));
 }

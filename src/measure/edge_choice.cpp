@@ -66,6 +66,7 @@ std::map<std::string, GarmentEdge> settled_cuffs(std::vector<Cuff> cuffs) {
     edge.limb = cuffs[c].limb;
     edge.garment_above = false;
     // Places come in order of their score.
+    edge.clearest = std::move(cuffs[c].clearest);
     if (chosen[c] != 0) edge.clearest = cuffs[c].places.front();
     settle(std::move(cuffs[c].places), chosen[c], &FoundEdge::even_score, edge);
   }

@@ -26,6 +26,7 @@ struct Cuff {
   std::string name, limb;
   double map_low = 0;             // m, where the map of its arm begins: a fixed place on the arm
   std::vector<FoundEdge> places;  // in order of `score`, at least one
+  std::optional<FoundEdge> clearest;  // the place of most evidence, where it is none of these
 
   double along(std::size_t i) const { return places[i].mean_s() - map_low; }
 };

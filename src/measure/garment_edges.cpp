@@ -5,9 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.h"
 #include "geometry/parallel.h"
 #include "measure/covered_edge.h"
 #include "measure/edge_choice.h"
+#include "measure/find_cuff.h"
 #include "measure/judge_edges.h"
 #include "measure/rim.h"
 
@@ -28,15 +30,12 @@ constexpr double kLongestShirt = 0.34;   // of the height: lower hems are of som
 constexpr double kArmpitShare = 0.74;    // of the height; arms that touch the side hide it
 constexpr double kArmReach = 0.16;       // m, samples further from an arm's axis are torso
 // m, standard errors of edges that show all the way round
-constexpr double kWaistError = 0.002, kHemError = 0.003, kSleeveError = 0.007, kNeckError = 0.006;
-constexpr double kNeckSpread = 0.02;   // m, how far a neckline slips from where its pattern puts it
-constexpr double kHandShare = 0.12;    // of the height: from wrist to fingertips
-constexpr double kCuffBefore = 0.06;   // m, the shortest sleeve ends so far before the armpit
-constexpr double kSleeveRadius = 0.1;  // m, what lies further from an arm's axis is torso
-constexpr int kCandidates = 4;         // places where an edge may be that are compared
-constexpr int kCuffCandidates = 10;    // folds of a sleeve look like its edge
-constexpr double kArmLead = 0.12;      // m of the shoulder before the armpit
-constexpr double kCuffStray = 0.015, kCuffTilt = 0.05;  // m, a cuff is cut straight
+constexpr double kWaistError = 0.002, kHemError = 0.003, kNeckError = 0.006;
+constexpr double kNeckSpread = 0.02;  // m, how far a neckline slips from where its pattern puts it
+constexpr double kHandShare = 0.12;   // of the height: from wrist to fingertips
+constexpr double kCuffBefore = 0.06;  // m, the shortest sleeve ends so far before the armpit
+constexpr int kCandidates = 4;        // places where an edge may be that are compared
+constexpr double kArmLead = 0.12;     // m of the shoulder before the armpit
 // The lowest hem drops to the legs, those above it step down to other cloth.
 constexpr double kUpperShare = 0.3;
 constexpr double kRivalShare = 0.7;  // of the best edge's score that makes another edge a rival
@@ -260,17 +259,16 @@ GarmentEdge Finder::find_on_torso(const PatternEdge& edge) const {
 
 std::optional<Cuff> Finder::find_on_arm(const PatternEdge& edge) const {
   const auto limb = out.limbs.find(edge.limb);
-  if (limb == out.limbs.end()) return std::nullopt;
+  const auto given = said.find(edge.name);
+  if (limb == out.limbs.end()) {
+    if (given == said.end()) return std::nullopt;
+    throw UsageError("--hint: " + edge.name + "_edge: the scan shows no arm there; leave it out");
+  }
   const LimbView& view = limb->second;
-  EdgeSearch search;
-  search.garment_above = false;
-  search.s_low = view.map.s_low + kArmLead - kCuffBefore;
-  search.s_high = view.axis.s_max() - kHandShare * body.height;
-  search.straightness = kCuffStray, search.tilt = kCuffTilt;
-  search.widest = kSleeveRadius, search.least_error = kSleeveError;
-  Cuff cuff{edge.name, edge.limb, view.map.s_low, find_edges(view.map, search, kCuffCandidates)};
-  if (cuff.places.empty()) return std::nullopt;
-  return cuff;
+  return find_cuff(
+      view, edge.name, edge.limb,
+      {view.map.s_low + kArmLead - kCuffBefore, view.axis.s_max() - kHandShare * body.height},
+      given == said.end() ? std::nullopt : std::optional(given->second));
 }
 
 /// Where a neckline of this width and depth would lie on the shoulders: s per column of the map.

@@ -46,8 +46,9 @@ bool beside_torso(const LimbView& torso, const Vec3& p);
 /// Looks for all open edges of a garment on the body. `taken` marks samples that belong to garments
 /// found before (one per sample, or empty): they are not looked at, and an edge that ends at them
 /// is covered. `pattern` is the garment at any dimensions: it tells which edges there are. `said`:
-/// heights above the floor (m) of edges round the trunk that a person gave: such an edge is looked
-/// for within 3 cm of its height and taken from there in any case. `another_below`: a garment that
+/// heights above the floor (m) of edges that a person gave: such an edge is looked for within 3 cm
+/// of its height, a cuff within 3 cm along the arm (find_cuff.h), and taken from there in any case;
+/// a neckline is not among them. `another_below`: a garment that
 /// is looked for later shows below this one, so that of two hems the higher is this one's.
 /// Throws NoGarmentError with the evidence when the edges the garment cannot do without are
 /// missing.

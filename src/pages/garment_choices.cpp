@@ -13,12 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Only edges round the trunk have one height.
-Json trunk_edges(const GarmentTemplate& garment) {
+// Edges that a height can be given for: a neckline has no single one.
+Json level_edges(const GarmentTemplate& garment) {
   constexpr double kCoarse = 0.2;  // m: the names are the same at any size
   Json out = Json::array();
   for (const PatternEdge& edge : make_pattern(garment, garment.typical(), kCoarse).edges)
-    if (edge.limb == "torso") out.push_back(edge.name);
+    if (edge.limb != "neck") out.push_back({{"name", edge.name}, {"limb", edge.limb}});
   return out;
 }
 
@@ -30,7 +30,7 @@ std::string garment_choices_json() {
     try {
       out.push_back({{"name", entry.name},
                      {"title", entry.title},
-                     {"edges", trunk_edges(find_template(entry.name))},
+                     {"edges", level_edges(find_template(entry.name))},
                      {"sketch", "/pages/garment-" + entry.name + ".svg"}});
     } catch (const Error&) {
       // A folder of templates may hold one that is broken; asking for it by name says why.

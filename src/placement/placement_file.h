@@ -13,7 +13,7 @@ namespace regarment {
 struct PlacementOverrides {
   std::map<std::string, double>
       landmarks;  // "crotch", "left_armpit", "right_armpit", "shoulder", "neck"
-  std::map<std::string, double> edges;  // name of an edge round the trunk -> its height
+  std::map<std::string, double> edges;  // name of an edge, but of a neckline -> its height
 };
 
 /// Reads a placement file: {"format": "regarment.placement/1", "landmarks_cm": {"neck": 143.5},

@@ -50,6 +50,8 @@ TEST(KnownOptions, FindTheOnlyGarmentThatIsMeant) {
   EXPECT_TRUE(applied(fix("tshirt.length=70"), both).fixed.at("tshirt").contains("length"));
   EXPECT_TRUE(applied(hint("waist_edge=103"), both).placement.edges.contains("skirt.waist"));
   EXPECT_DOUBLE_EQ(applied(hint("tshirt.hem_edge=90"), both).placement.edges.at("tshirt.hem"), 0.9);
+  EXPECT_DOUBLE_EQ(applied(hint("left_cuff_edge=120"), both).placement.edges.at("tshirt.left_cuff"),
+                   1.2);
 }
 
 TEST(KnownOptions, SayWhatIsWrong) {
@@ -71,6 +73,7 @@ TEST(KnownOptions, SayWhatIsWrong) {
       {fix("length=54,skirt.length=54"), "given twice"},
       {hint("waist=103"), "use hem_edge, waist_edge"},
       {hint("waist_edge=301"), "300 cm"},
+      {hint("neck_edge=130"), "use hem_edge, waist_edge"},
       {hint("waist_edge=100,waist_edge=101"), "given twice"},
       {{{}, {}, "silk"}, "woven, jersey or elastic"},
   };

@@ -170,6 +170,39 @@ describe('service', () => {
     await close();
   });
 
+  it("drags a T-shirt's cuff on its own side of the picture", async () => {
+    const body = new FormData();
+    for (const [name, value] of Object.entries({ garments: '["tshirt"]', options: '{"method":"direct"}' })) body.append(name, value);
+    body.append('scan', new Blob([fs.readFileSync(path.join(process.env.EXAMPLES, 'tshirt-5.mesh.ply'))]), 't.ply');
+    const { id } = await post('/jobs', body);
+    await (await fetch(`${home}/v1/jobs/${id}/events`)).text();
+    const { page, complaints, close } = await visit(`/jobs/${id}/correct`);
+    const line = page.locator('.edge-line', { hasText: 'left cuff' });
+    await line.waitFor();
+    const picture = await page.locator('#front').boundingBox();
+    const { x, y, width, height } = await line.boundingBox();
+    // The left arm of somebody who looks at us is on our right.
+    assert.ok(x > picture.x + picture.width / 2);
+    assert.equal(await page.locator('.edge-line').count(), 3);
+    const field = page.getByLabel('left cuff', { exact: true });
+    const before = Number(await field.inputValue());
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2, y + height / 2 + 20, { steps: 3 });
+    await page.mouse.up();
+    const dragged = Number(await field.inputValue());
+    assert.ok(dragged < before - 3, `${before} became ${dragged}`);
+    await page.locator('#fit').click();
+    await page.locator('#changes tr').first().waitFor(kFit);
+    const now = await newest();
+    assert.deepEqual(now.options, { hint: { 'tshirt.left_cuff_edge': dragged } });
+    const edge = (await api(`/jobs/${now.id}/result.json`)).garments[0].edges.find(({ name }) => name === 'left_cuff');
+    assert.ok(Math.abs(edge.height_cm - dragged) < 3, `${dragged} became ${edge.height_cm}`);
+    assert.deepEqual(complaints, []);
+    for (const one of [id, now.id]) await fetch(`${home}/v1/jobs/${one}`, { method: 'DELETE' });
+    await close();
+  });
+
   it('accepts by keyboard in the review queue, which then is empty', async () => {
     const { page, complaints, close } = await visit('/review');
     await page.locator('.item .state').first().waitFor();

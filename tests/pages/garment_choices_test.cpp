@@ -28,16 +28,19 @@ TEST(GarmentChoices, AreAllTemplates) {
   }
 }
 
-// What `--hint` takes: a skirt has its waist and hem round the trunk, a T-shirt its hem alone,
-// since its cuffs lie round the arms and its neckline slants.
-TEST(GarmentChoices, OfferTheEdgesRoundTheTrunk) {
+// What `--hint` takes: a skirt has its waist and hem round the trunk, a T-shirt its hem there and
+// its cuffs round the arms; its neckline slants.
+TEST(GarmentChoices, OfferTheEdgesThatHaveAHeight) {
   const auto edges = [](const std::string& name) {
-    auto out = choice(name)["edges"].get<std::vector<std::string>>();
-    std::sort(out.begin(), out.end());
+    std::map<std::string, std::string> out;
+    const Json garment = choice(name);
+    for (const Json& edge : garment["edges"]) out[edge["name"]] = edge["limb"];
     return out;
   };
-  EXPECT_EQ(edges("skirt"), (std::vector<std::string>{"hem", "waist"}));
-  EXPECT_EQ(edges("tshirt"), (std::vector<std::string>{"hem"}));
+  using Limbs = std::map<std::string, std::string>;
+  EXPECT_EQ(edges("skirt"), (Limbs{{"hem", "torso"}, {"waist", "torso"}}));
+  EXPECT_EQ(edges("tshirt"),
+            (Limbs{{"hem", "torso"}, {"left_cuff", "left_arm"}, {"right_cuff", "right_arm"}}));
 }
 
 TEST(GarmentChoices, HaveADrawingAtTheAddressTheyName) {
