@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 
 #include "scan/mesh_edges.h"
 
@@ -81,18 +82,36 @@ Turned turned(const Triangle& triangle, std::uint32_t index, const Welded& welde
   return turned;
 }
 
+/// The triangles by their corners; of those with the same, those swapped evenly first, then by
+/// index.
+std::vector<Turned> by_corners(const std::vector<Triangle>& triangles, const Welded& welded) {
+  // Filed under their lowest corner first: sorting a few at a time is quicker than all. What has
+  // no position comes last.
+  const std::size_t places = welded.positions.size();
+  std::vector<std::uint32_t> next(places + 2, 0);
+  const auto file_of = [&](const Turned& t) { return std::min<std::size_t>(t.corners[0], places); };
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    ++next[file_of(turned(triangles[t], t, welded)) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<std::uint32_t> first = next;
+  std::vector<Turned> order(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Turned one = turned(triangles[t], t, welded);
+    order[next[file_of(one)]++] = one;
+  }
+  for (std::size_t file = 0; file <= places; ++file)
+    std::sort(order.begin() + first[file], order.begin() + first[file + 1],
+              [](const Turned& a, const Turned& b) {
+                if (a.corners != b.corners) return a.corners < b.corners;
+                return a.even != b.even ? a.even : a.index < b.index;
+              });
+  return order;
+}
+
 }  // namespace
 
 std::size_t drop_repeated(std::vector<Triangle>& triangles, const Welded& welded) {
-  std::vector<Turned> order;
-  order.reserve(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    order.push_back(turned(triangles[t], t, welded));
-  }
-  std::sort(order.begin(), order.end(), [](const Turned& a, const Turned& b) {
-    if (a.corners != b.corners) return a.corners < b.corners;
-    return a.even != b.even ? a.even : a.index < b.index;
-  });
+  const std::vector<Turned> order = by_corners(triangles, welded);
   std::vector<std::uint32_t> same, opposite;
   std::size_t first = 0;  // of those with the same corners
   for (std::size_t i = 1; i < order.size(); ++i) {

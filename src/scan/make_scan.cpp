@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "geometry/parallel.h"
 #include "scan/body_frame.h"
 #include "scan/file_axis.h"
 #include "scan/file_flaws.h"
@@ -234,12 +235,12 @@ MadeScan make_scan_itself(Mesh mesh_in_file_frame, Welded welded, const ScanOpti
 
 namespace {
 
-/// Per vertex, where the mesh tells.
-std::vector<std::uint8_t> invented_vertices(const Mesh& mesh, const Welded& welded) {
+/// Per vertex, where the mesh tells. `triangles`: welded; none for a cloud.
+std::vector<std::uint8_t> invented_vertices(const std::vector<Triangle>& triangles,
+                                            const Welded& welded) {
   std::vector<std::uint8_t> out;
-  if (mesh.is_cloud()) return out;
-  const std::vector<std::uint8_t> found =
-      find_invented(welded.positions, weld_triangles(mesh.triangles, welded));
+  if (triangles.empty()) return out;
+  const std::vector<std::uint8_t> found = find_invented(welded.positions, triangles);
   for (const std::uint32_t at : welded.of_vertex)
     out.push_back(at == Welded::kNone ? 0 : found[at]);
   return out;
@@ -264,10 +265,18 @@ Scan make_scan(Mesh mesh_in_file_frame, const ScanOptions& options) {
   check_triangles(mesh_in_file_frame);
   Welded welded = weld(mesh_in_file_frame.positions);
   const FileFlaws flaws = find_file_flaws(mesh_in_file_frame, welded);
-  std::vector<std::uint8_t> invented = invented_vertices(mesh_in_file_frame, welded);
-  MadeScan made = mesh_in_file_frame.positions.size() > options.most_vertices
-                      ? make_scan_by_thinning(std::move(mesh_in_file_frame), options)
-                      : make_scan_itself(std::move(mesh_in_file_frame), std::move(welded), options);
+  std::vector<std::uint8_t> invented;
+  MadeScan made;
+  const auto find = [&, triangles = weld_triangles(mesh_in_file_frame.triangles, welded)] {
+    invented = invented_vertices(triangles, welded);
+  };
+  if (mesh_in_file_frame.positions.size() > options.most_vertices) {
+    run_together(
+        {[&] { made = make_scan_by_thinning(std::move(mesh_in_file_frame), options); }, find});
+  } else {
+    find();
+    made = make_scan_itself(std::move(mesh_in_file_frame), std::move(welded), options);
+  }
   Scan& scan = made.scan;
   const double metres = 1 / scan.file_from_body.linear().col(0).norm();
   note_file_flaws(flaws, metres, scan.facts.findings);
