@@ -147,6 +147,7 @@ mapfile -t fuzzers < <(fuzz_targets)
 build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
 [ "$full" = no ] || fuzz_long "${fuzzers[@]}"
 [ "$full" = no ] || check "package on a bare system" tests/package/bare_system.sh
+[ "$full" = no ] || check "image" tests/package/image.sh
 [ "$full" = no ] || try "a batch by Slurm, killed part by part" \
   python3 tests/slurm/slurm_test.py build/release/regarment examples/data
 headline "form"

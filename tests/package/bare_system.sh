@@ -4,7 +4,7 @@
 # it draws in.
 set -eu
 cd "$(dirname "$0")/../.."
-command -v mmdebstrap >/dev/null || apt-get install -y -qq mmdebstrap >/dev/null
+scripts/install_packages.sh full
 folder=$(mktemp -d)
 trap 'rm -rf --one-file-system "$folder"' EXIT
 mirror=$(sed -n 's/^URIs: *//p' /etc/apt/sources.list.d/debian.sources 2>/dev/null | head -1)

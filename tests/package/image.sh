@@ -4,9 +4,7 @@
 # serves. Its base, Debian 12 as docker.io has it, is made by mmdebstrap. Prints the image's size.
 set -eu
 cd "$(dirname "$0")/../.."
-for tool in buildah mmdebstrap; do
-  command -v "$tool" >/dev/null || apt-get install -y -qq --no-install-recommends "$tool" >/dev/null
-done
+scripts/install_packages.sh full
 folder=$(mktemp -d)
 trap 'buildah rm --all >/dev/null 2>&1; rm -rf --one-file-system "$folder"' EXIT
 export STORAGE_DRIVER=vfs
@@ -39,10 +37,10 @@ test -s "$root/home/regarment/skirt/report.html"
 grep -q '"SPDX-2.3"' "$root/usr/share/doc/regarment/regarment.spdx.json"
 in_image regarment doctor --data /data --quiet
 
-check=$(command buildah --root "$folder/storage" --runroot "$folder/run" inspect --format '{{index .Docker.Config.Healthcheck.Test 3}}' "$image")
-in_image sh -c 'regarment serve --data /data --workers 1 >/tmp/serve.log & echo $! >/tmp/server
+check=$(buildah inspect --format '{{index .Docker.Config.Healthcheck.Test 3}}' "$image")
+in_image sh -c 'regarment serve --data /data --workers 1 >/tmp/serve.log 2>&1 & echo $! >/tmp/server
   for _ in $(seq 100); do grep -q listening /tmp/serve.log && break; sleep 0.1; done
   bash -c "$1"; healthy=$?; kill "$(cat /tmp/server)"; wait; exit $healthy' sh "$check"
 
 size() { du -sm --apparent-size "$1" | cut -f1; }
-echo "image $(size "$root") MB, $(du -sm --apparent-size "$(buildah mount "$base")" | cut -f1) MB of it Debian; the program $(stat -c %s "$root/usr/bin/regarment") bytes"
+echo "image $(size "$root") MB, $(size "$(buildah mount "$base")") MB of it its base; the program $(stat -c %s "$root/usr/bin/regarment") bytes"
