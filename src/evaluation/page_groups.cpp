@@ -63,7 +63,9 @@ void show_groups(const Evaluation& evaluation, Gaps& page) {
   page.set("with_published", all.published.n > 0);
   page.set("with_labels", all.labelled > 0);
   page.set("with_worn", all.worn.n > 0);
-  page.set("measurements", rows_by(evaluation, "measurement"));
+  auto measurements = rows_by(evaluation, "measurement");
+  page.set("has_measurements", !measurements.empty());
+  page.set("measurements", std::move(measurements));
   std::vector<Gaps> tables;
   const auto add = [&](const std::string& by, const std::string& title) {
     std::vector<Gaps> rows = rows_by(evaluation, by);

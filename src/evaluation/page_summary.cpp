@@ -67,26 +67,31 @@ std::vector<Gaps> label_figures(const GroupStatistics& all) {
   return out;
 }
 
-std::vector<Gaps> key_figures(const GroupStatistics& all) {
+std::vector<Gaps> error_figures(const GroupStatistics& all) {
   const ErrorStatistics& e = all.errors;
   const bool any = e.n > 0;
   const auto of = [&](double value) { return any ? std::optional(value) : std::nullopt; };
-  std::vector<Gaps> out = {
-      key_figure("MAE", figure_text(of(e.mae_cm), 2), "mean absolute error, cm"),
-      key_figure("Bias", signed_figure_text(of(e.bias_cm), 2), bias_note(e)),
-      key_figure("RMSE", figure_text(of(e.rmse_cm), 2), "cm; SD " + figure_text(e.sd_cm, 2)),
-      key_figure("95 % within", figure_text(of(e.p95_cm), 2),
-                 "cm; worst " + figure_text(of(e.worst_cm), 2)),
-      key_figure("Slope", figure_text(e.slope, 3), "of estimate on truth; 1 is right"),
-      key_figure("Coverage", percent_text(e.coverage), "of 90\u00a0% intervals hold the truth"),
-      key_figure("Interval width", figure_text(e.median_width_cm, 2),
-                 "cm, median; Winkler score " + figure_text(e.interval_score_cm, 2)),
-      key_figure("Confident and wrong", count_text(all.confident_wrong),
-                 "of " + count_text(all.confident) + " said to be seen are over 3 cm off"),
-      key_figure("Hidden, and said so",
-                 count_text(all.hidden_flagged) + " / " + count_text(all.hidden),
-                 count_text(all.visible_flagged) + " of " + count_text(all.visible) +
-                     " visible ones wrongly flagged")};
+  return {key_figure("MAE", figure_text(of(e.mae_cm), 2), "mean absolute error, cm"),
+          key_figure("Bias", signed_figure_text(of(e.bias_cm), 2), bias_note(e)),
+          key_figure("RMSE", figure_text(of(e.rmse_cm), 2), "cm; SD " + figure_text(e.sd_cm, 2)),
+          key_figure("95 % within", figure_text(of(e.p95_cm), 2),
+                     "cm; worst " + figure_text(of(e.worst_cm), 2)),
+          key_figure("Slope", figure_text(e.slope, 3), "of estimate on truth; 1 is right"),
+          key_figure("Coverage", percent_text(e.coverage), "of 90\u00a0% intervals hold the truth"),
+          key_figure("Interval width", figure_text(e.median_width_cm, 2),
+                     "cm, median; Winkler score " + figure_text(e.interval_score_cm, 2)),
+          key_figure("Confident and wrong", count_text(all.confident_wrong),
+                     "of " + count_text(all.confident) + " said to be seen are over 3 cm off"),
+          key_figure("Hidden, and said so",
+                     count_text(all.hidden_flagged) + " / " + count_text(all.hidden),
+                     count_text(all.visible_flagged) + " of " + count_text(all.visible) +
+                         " visible ones wrongly flagged")};
+}
+
+std::vector<Gaps> key_figures(const Evaluation& evaluation) {
+  const GroupStatistics& all = evaluation.groups.front();
+  std::vector<Gaps> out;
+  if (has_truth(evaluation)) out = error_figures(all);
   if (all.frames > 0) {
     out.push_back(key_figure("Units and axes wrong", count_text(all.frames_wrong),
                              "of " + counted(all.frames, "scan") + " with a known frame"));
@@ -132,7 +137,7 @@ void show_summary(const Evaluation& evaluation, Gaps& page) {
   page.set("needs_a_look", look);
   page.set("has_gates", !gates.empty());
   page.set("gates", std::move(gates));
-  page.set("figures", key_figures(all));
+  page.set("figures", key_figures(evaluation));
 }
 
 }  // namespace regarment

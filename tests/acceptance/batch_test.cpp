@@ -109,6 +109,7 @@ TEST(Batch, NeedsNoTruth) {
   EXPECT_EQ(all.at("statistics").at(0).at("values").at("scans"), 1);
   EXPECT_EQ(all.at("statistics").at(0).at("values").at("n"), 0);
   EXPECT_NE(bytes_of(out / "evaluation.html").find("1 scan measured"), std::string::npos);
+  EXPECT_EQ(bytes_of(out / "evaluation.html").find("MAE</dt>"), std::string::npos);
   // The sizes are those of the fit, to the digits of its table.
   const auto ours = lines_of(bytes_of(out / "measurements.csv"));
   const auto fit = lines_of(bytes_of(out / "fits/skirt-1.mesh/measurements.csv"));
