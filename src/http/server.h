@@ -14,7 +14,8 @@ namespace regarment {
 
 /// One request that is being answered: takes its body, then answers. Its functions are called one
 /// after the other, on threads that may wait for files and stores. They throw HttpProblem, which
-/// becomes the answer; TemporaryError becomes 507, UsageError and ReadError 422, others 500.
+/// becomes the answer; AwayError becomes 503, other TemporaryErrors 507, UsageError and ReadError
+/// 422, others 500.
 /// Destroyed without `finish` when the client goes away.
 class Exchange {
  public:

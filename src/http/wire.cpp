@@ -7,7 +7,7 @@
 #include <ctime>
 #include <new>
 
-#include "base/error.h"
+#include "base/away_error.h"
 
 namespace regarment {
 namespace {
@@ -84,6 +84,9 @@ Response response_to_current_exception(const std::string& request_id, std::strin
     throw;
   } catch (const HttpProblem& problem) {
     return problem_response(problem, request_id);
+  } catch (const AwayError& error) {
+    internal_error = error.what();  // says more of the house than those outside need to know
+    return answer(503, "away", "something the service needs is away; try again in a moment");
   } catch (const TemporaryError& error) {
     return answer(507, "no_space", error.what());
   } catch (const UsageError& error) {

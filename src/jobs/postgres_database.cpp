@@ -8,7 +8,7 @@
 #include <pqxx/pqxx>
 #include <thread>
 
-#include "base/error.h"
+#include "base/away_error.h"
 #include "base/one_line.h"
 #include "jobs/postgres_text.h"
 
@@ -47,15 +47,17 @@ std::string said(const std::string& shown, const std::exception& error) {
 }
 
 [[noreturn]] void throw_away(const std::string& shown, const std::exception& error) {
-  throw TemporaryError(said(shown, error) + "; try again later");
+  throw AwayError(said(shown, error) + "; try again later");
 }
 
-// A server that answers but does not let us in will not do so by itself, unless it is only full.
-bool is_refused(const std::string& connection, const std::exception& error) {
+// A server that lets nobody in just now: full, starting, stopping or recovering.
+bool is_passing(const std::exception& error) {
   const std::string_view why = error.what();
-  const bool full = why.find("too many") != std::string_view::npos ||
-                    why.find("connection slots") != std::string_view::npos;
-  return !full && PQping(connection.c_str()) == PQPING_OK;
+  for (const char* sign : {"too many", "connection slots", "not yet accepting", "starting up",
+                           "shutting down", "recovery"}) {
+    if (why.find(sign) != std::string_view::npos) return true;
+  }
+  return false;
 }
 
 // What the server answered, as an error of ours.
@@ -67,7 +69,7 @@ bool is_refused(const std::string& connection, const std::exception& error) {
   if (state.starts_with("XX")) throw ReadError(message + "; see the server's log");
   // Resources, locks, conflicts, interventions, its system; a server that only reads.
   for (const char* passing : {"53", "55", "40", "57", "58", "25"}) {
-    if (state.starts_with(passing)) throw TemporaryError(message + "; try again later");
+    if (state.starts_with(passing)) throw AwayError(message + "; try again later");
   }
   throw InvalidInput(message);
 }
@@ -149,15 +151,15 @@ void PostgresDatabase::connect() {
     note_time(number_of<std::int64_t>(facts[0][1].c_str()));
     session_ = std::move(session);
   } catch (const pqxx::failure& error) {
-    if (was_connected_ || !is_refused(address_.connection, error)) {
-      throw_away(address_.shown, error);
-    }
+    // A server that answers but does not let us in will not do so by itself.
+    const bool answers = PQping(address_.connection.c_str()) == PQPING_OK;
+    if (was_connected_ || is_passing(error) || !answers) throw_away(address_.shown, error);
     throw UsageError(said(address_.shown, error) + "; correct --store, or the database's rights");
   }
 }
 
 void PostgresDatabase::throw_lost() const {
-  throw TemporaryError(address_.shown + ": job store: the connection is lost; try again");
+  throw AwayError(address_.shown + ": job store: the connection is lost; try again");
 }
 
 template <typename Work>
@@ -241,9 +243,9 @@ bool PostgresDatabase::was_kept() {
       // It may be back in a moment.
     }
     if (Steady::now() >= patience) {
-      throw TemporaryError(address_.shown +
-                           ": job store: the connection broke during a change, and whether it was "
-                           "kept cannot be asked; look before you try again");
+      throw AwayError(address_.shown +
+                      ": job store: the connection broke during a change, and whether it was "
+                      "kept cannot be asked; look before you try again");
     }
     std::this_thread::sleep_for(kDoubtPause);
   }

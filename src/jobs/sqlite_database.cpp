@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/error.h"
+#include "base/away_error.h"
 #include "base/one_line.h"
 
 namespace regarment {
@@ -144,6 +144,7 @@ void SqliteDatabase::check(int code) const {
       throw TemporaryError(message + "; free some disk and try again");
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+      throw AwayError(message + "; try again later");
     case SQLITE_IOERR:
     case SQLITE_CANTOPEN:
     case SQLITE_NOMEM:

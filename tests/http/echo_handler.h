@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/error.h"
+#include "base/away_error.h"
 #include "http/server.h"
 
 namespace regarment {
@@ -30,6 +30,7 @@ class EchoHandler : public Handler {
     const std::string what = request.path.empty() ? "" : request.path[0];
     if (what == "refuse") throw HttpProblem(401, "no_key", "no key", {{"X-Why", "test"}});
     if (what == "crash") throw std::runtime_error("a secret of the inside");
+    if (what == "away") throw AwayError("secret: the store is away");
     if (what == "full") throw TemporaryError("the disk is full");
     return std::make_unique<Echo>(*this, request, what);
   }

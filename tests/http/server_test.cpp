@@ -76,6 +76,9 @@ TEST_F(ServerTest, TellsNothingOfItsInside) {
   const std::string answer = get("/crash");
   EXPECT_EQ(status_of(answer), 500);
   EXPECT_EQ(answer.find("secret"), std::string::npos);
+  const std::string away = get("/away");
+  EXPECT_EQ(status_of(away), 503);
+  EXPECT_EQ(away.find("secret"), std::string::npos);
   EXPECT_EQ(status_of(get("/full")), 507);
   EXPECT_EQ(status_of(get("/late")), 422);
 }

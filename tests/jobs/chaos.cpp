@@ -1,10 +1,15 @@
-// Jobs under fire: an owner process submits them and keeps workers running, while workers and owner
-// are killed without warning. Every job must end once, none lost, none twice.
+// Jobs under fire: an owner process submits them and keeps workers running, while workers, owner
+// and the store's server are killed without warning. Every job must end once, none lost, none
+// twice.
 //
-//   jobs_chaos PROGRAM JOBS WORKER_KILLS OWNER_KILLS
+//   jobs_chaos PROGRAM|tiny JOBS WORKER_KILLS OWNER_KILLS [sqlite|postgres [STORE_KILLS]]
 //
-// The full measure is `jobs_chaos build/release/regarment 200 50 5`; it prints one line of figures.
-// The jobs are real and quick: pictures of a mesh of twelve triangles (`regarment render`).
+// The jobs are real and quick, pictures of a mesh of twelve triangles (`regarment render`), or,
+// with "tiny", a shell script. The full measures, which print one line of figures each:
+//
+//   jobs_chaos build/release/regarment 200 50 5
+//   jobs_chaos tiny 10000 100 2 sqlite
+//   jobs_chaos tiny 10000 100 2 postgres 2
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -23,7 +28,9 @@
 #include "jobs/job_folder.h"
 #include "jobs/job_store.h"
 #include "jobs/sqlite_database.h"
+#include "postgres_server.h"
 #include "support/folders.h"
+#include "tiny_work.h"
 
 namespace regarment {
 namespace {
@@ -66,21 +73,40 @@ end_header
 3 3 7 5
 )ply";
 
+constexpr int kSkipped = 77;
+
 struct Plan {
-  fs::path program;
-  int jobs = 0, worker_kills = 0, owner_kills = 0;
+  fs::path self, program;
+  bool tiny = false, postgres = false;
+  int jobs = 0, worker_kills = 0, owner_kills = 0, store_kills = 0;
+  std::string store = {};
 };
 
+// What a client does while the service answers 503.
+template <typename Act>
+auto patiently(const Act& act) {
+  for (;;) {
+    try {
+      return act();
+    } catch (const TemporaryError&) {
+      std::this_thread::sleep_for(50ms);
+    }
+  }
+}
+
 // Submits what was not submitted before: a key stands for each job, as a client's would.
-void submit(const JobFolders& folders, JobStore& store, int jobs) {
-  for (int i = 0; i < jobs; ++i) {
+void submit(const JobFolders& folders, JobStore& store, const Plan& plan) {
+  for (int i = 0; i < plan.jobs; ++i) {
     NewJob job;
     job.id = new_job_id();
     job.kind = JobKind::Render;
     job.idempotency_key = "job-" + std::to_string(i);
-    std::ofstream(folders.begin_upload(job.id) / "scan.ply") << kScan;
+    job.name = std::to_string(i);
+    std::ofstream(folders.begin_upload(job.id) / "scan.ply")
+        << (plan.tiny ? tiny_scan(i) : std::string(kScan));
     folders.accept_upload(job.id);
-    if (store.create(job).kind != Created::Kind::Made) folders.remove(job.id);
+    const Created created = patiently([&] { return store.create(job); });
+    if (created.job.id != job.id) folders.remove(job.id);
   }
 }
 
@@ -89,20 +115,23 @@ void submit(const JobFolders& folders, JobStore& store, int jobs) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   const JobFolders folders(data);
-  const auto store = open_job_store(folders.default_store().string());
+  const auto store = patiently([&] { return open_job_store(plan.store); });
+  const std::vector<std::string> worker_command =
+      plan.tiny
+          ? std::vector<std::string>{plan.self, "--worker", data, plan.program}
+          : std::vector<std::string>{plan.program, "worker", "--data=" + data.string(), "--quiet"};
   std::vector<std::unique_ptr<ChildProcess>> workers(kWorkers);
   const auto keep = [&] {
     for (auto& worker : workers) {
       ChildEnd end;
       if (worker) worker->look_after();
       if (!worker || worker->ended(end)) {
-        worker = std::make_unique<ChildProcess>(std::vector<std::string>{
-            plan.program.string(), "worker", "--data=" + data.string(), "--quiet"});
+        worker = std::make_unique<ChildProcess>(worker_command);
       }
     }
   };
   keep();
-  submit(folders, *store, plan.jobs);
+  submit(folders, *store, plan);
   for (;;) {
     std::vector<const ChildProcess*> all;
     all.reserve(workers.size());
@@ -148,11 +177,11 @@ std::uint64_t ended_jobs(JobStore& store) {
 }
 
 struct Kills {
-  int workers = 0, owners = 0;
+  int workers = 0, owners = 0, stores = 0;
 };
 
 // Kills, spread over the jobs, until all have ended.
-Kills fire(const Plan& plan, const fs::path& data, JobStore& store) {
+Kills fire(const Plan& plan, const fs::path& data, JobStore& store, PostgresServer* server) {
   std::mt19937 dice(1);
   Kills done;
   pid_t owner = start_owner(plan, data);
@@ -166,6 +195,10 @@ Kills fire(const Plan& plan, const fs::path& data, JobStore& store) {
       ::kill(owner, SIGKILL);
       ::waitpid(owner, nullptr, 0);
       owner = start_owner(plan, data), ++done.owners;
+    }
+    if (done.stores < plan.store_kills && done.stores < due(plan.store_kills)) {
+      server->kill();
+      server->start(), ++done.stores;
     }
     if (done.workers < plan.worker_kills && done.workers < due(plan.worker_kills)) {
       const pid_t pid = busy_worker(store, dice);
@@ -201,13 +234,19 @@ bool is_whole(const fs::path& result) {
   return pictures == 4;
 }
 
+bool is_right(const Plan& plan, const fs::path& result, const Job& job) {
+  return plan.tiny ? is_tiny_result(result, std::stoi(job.name)) : is_whole(result);
+}
+
 struct Count {
+  std::set<std::string> names;  // of the jobs that succeeded with the right result
   int ended = 0, succeeded = 0, twice = 0, broken = 0, attempts = 0;
 };
 
-Count count(const JobFolders& folders, JobStore& store) {
+Count count(const Plan& plan, const JobFolders& folders, JobStore& store) {
   Count out;
   JobFilter filter;
+  filter.limit = 500;
   do {
     const JobPage page = store.list(filter);
     for (const Job& job : page.jobs) {
@@ -215,7 +254,11 @@ Count count(const JobFolders& folders, JobStore& store) {
       out.ended += has_ended(job.state) ? 1 : 0;
       out.succeeded += job.state == JobState::Succeeded ? 1 : 0;
       out.twice += successes > 1 ? 1 : 0;
-      out.broken += job.state == JobState::Succeeded && !is_whole(folders.result(job)) ? 1 : 0;
+      if (job.state == JobState::Succeeded) {
+        const bool right = is_right(plan, folders.result(job), job);
+        out.broken += right ? 0 : 1;
+        if (right) out.names.insert(job.name);
+      }
       out.attempts += static_cast<int>(job.token);
     }
     filter.after = page.next;
@@ -229,35 +272,80 @@ bool is_sound(const fs::path& file) {
   return check.step() && check.text(0) == "ok";
 }
 
-int run(const Plan& plan) {
+int run(Plan plan) {
+  if (plan.postgres && !PostgresServer::is_installed()) {
+    std::puts("skipped: postgresql-15 is not installed");
+    return kSkipped;
+  }
   const TemporaryFolder folder;
+  std::unique_ptr<PostgresServer> server;
+  if (plan.postgres) server = std::make_unique<PostgresServer>(true);
   // Short leases, and attempts without end: kills are no fault of the job.
   ::setenv("REGARMENT_LEASE_SECONDS", "2", 1);
   ::setenv("REGARMENT_MAX_ATTEMPTS", "100", 1);
   const JobFolders folders(folder.path() / "data");
-  const auto store = open_job_store(folders.default_store().string());
-  const Kills kills = fire(plan, folders.data(), *store);
-  const Count found = count(folders, *store);
-  const bool sound = is_sound(folders.default_store());
+  if (plan.tiny) plan.program = write_tiny_program(folder.path());
+  plan.store = server ? server->make_database() : folders.default_store().string();
+  ::setenv("REGARMENT_STORE", plan.store.c_str(), 1);
+  const auto store = open_job_store(plan.store);
+  const auto begin = std::chrono::steady_clock::now();
+  const Kills kills = fire(plan, folders.data(), *store, server.get());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const Count found = count(plan, folders, *store);
+  const bool sound = plan.postgres || is_sound(folders.default_store());
   std::printf(
-      "%d jobs: %d ended, %d succeeded, %d lost, %d twice, %d broken; %d workers and %d owners "
-      "killed, %d attempts; store %s\n",
-      plan.jobs, found.ended, found.succeeded, plan.jobs - found.ended, found.twice, found.broken,
-      kills.workers, kills.owners, found.attempts, sound ? "sound" : "damaged");
+      "%s, %d jobs in %.0f s: %d ended, %d succeeded, %d lost, %d twice, %d broken; %d workers, %d "
+      "owners and %d stores killed, %d attempts; store %s\n",
+      plan.postgres ? "postgres" : "sqlite", plan.jobs, took.count(), found.ended, found.succeeded,
+      plan.jobs - static_cast<int>(found.names.size()), found.twice, found.broken, kills.workers,
+      kills.owners, kills.stores, found.attempts, sound ? "sound" : "damaged");
   const bool good = sound && found.ended == plan.jobs && found.succeeded == plan.jobs &&
-                    found.twice == 0 && found.broken == 0 && kills.workers >= plan.worker_kills &&
-                    kills.owners >= plan.owner_kills;
+                    found.names.size() == static_cast<std::size_t>(plan.jobs) && found.twice == 0 &&
+                    found.broken == 0 && kills.workers >= plan.worker_kills &&
+                    kills.owners >= plan.owner_kills && kills.stores >= plan.store_kills;
   return good ? 0 : 1;
+}
+
+// A worker whose program is the tiny one; the store is named by the environment.
+int be_a_worker(const fs::path& data, const fs::path& program) {
+  const ServiceConfig config = read_service_config({}).config;
+  WorkerOptions options = WorkerOptions::from(config);
+  options.program = program;
+  options.poll = 5ms;
+  options.pause = 0ms;
+  options.memory_mb = 0;
+  const auto store = patiently([&] { return open_job_store(config.store_or_default()); });
+  run_worker(*store, JobFolders(data), options, [] { return true; });
+  return 0;
+}
+
+Plan plan_of(const std::vector<std::string>& words) {
+  Plan plan;
+  plan.self = fs::read_symlink("/proc/self/exe");
+  plan.tiny = words[0] == "tiny";
+  if (!plan.tiny) plan.program = fs::absolute(words[0]);
+  plan.jobs = std::stoi(words[1]);
+  plan.worker_kills = std::stoi(words[2]);
+  plan.owner_kills = std::stoi(words[3]);
+  plan.postgres = words.size() > 4 && words[4] == "postgres";
+  if (words.size() > 5) plan.store_kills = std::stoi(words[5]);
+  return plan;
 }
 
 }  // namespace
 }  // namespace regarment
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::fprintf(stderr, "usage: jobs_chaos PROGRAM JOBS WORKER_KILLS OWNER_KILLS\n");
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 3 && words[0] == "--worker") {
+    return regarment::be_a_worker(words[1], words[2]);
+  }
+  const bool postgres = words.size() > 4 && words[4] == "postgres";
+  if (words.size() < 4 || words.size() > (postgres ? 6 : 5)) {
+    std::fprintf(stderr,
+                 "usage: jobs_chaos PROGRAM|tiny JOBS WORKER_KILLS OWNER_KILLS "
+                 "[sqlite|postgres [STORE_KILLS]]\n");
     return 2;
   }
-  return regarment::run({std::filesystem::absolute(argv[1]), std::atoi(argv[2]), std::atoi(argv[3]),
-                         std::atoi(argv[4])});
+  return regarment::run(regarment::plan_of(words));
 }

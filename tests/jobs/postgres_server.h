@@ -24,6 +24,7 @@ class PostgresServer {
 
   /// Of one of its databases, for --store.
   std::string address(const std::string& database) const;
+  std::filesystem::path socket_folder() const { return folder_.path(); }
   /// Runs SQL in a database, outside a transaction.
   void run(const std::string& database, const std::string& sql) const;
   /// Makes an empty database; its address.

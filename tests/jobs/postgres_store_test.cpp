@@ -1,8 +1,7 @@
 // What is special about the store in a PostgreSQL database.
 
-#include <cmath>
-
 #include "base/error.h"
+#include "cutting_proxy.h"
 #include "jobs/postgres_database.h"
 #include "jobs/store_schema.h"
 #include "postgres_place.h"
@@ -141,6 +140,38 @@ TEST(PostgresStore, GoesOnOnceAKilledServerIsBack) {
   EXPECT_TRUE(store->succeed(claim->job.id, claim->token, 1));
   EXPECT_EQ(store->claim("w", kLease, kAttempts)->job.id, ids[1]);
   for (const std::string& id : ids) EXPECT_TRUE(store->find(id));
+}
+
+// The job that a store made while the connection was cut at the commit: through the proxy, and seen
+// past it.
+struct CutJob {
+  PostgresPlace place;
+  TemporaryFolder folder;
+  CuttingProxy proxy{test_server().socket_folder(), folder.path()};
+  std::unique_ptr<JobStore> store = open_job_store(
+      place.where().substr(0, place.where().find("host=")) + "host=" + folder.path().string());
+  NewJob job;
+
+  explicit CutJob(CuttingProxy::Cut cut) {
+    job.id = new_job_id();
+    proxy.cut(cut);
+  }
+  bool is_kept() const { return open_job_store(place.where())->find(job.id).has_value(); }
+};
+
+TEST(PostgresStore, KnowsOfACommitWhoseAnswerWasLostThatItWasKept) {
+  CutJob cut(CuttingProxy::Cut::AfterCommit);
+  EXPECT_EQ(cut.store->create(cut.job).kind, Created::Kind::Made);
+  EXPECT_TRUE(cut.proxy.was_cut());
+  EXPECT_TRUE(cut.is_kept());
+}
+
+TEST(PostgresStore, KnowsOfACommitThatNeverArrivedThatItWasNot) {
+  CutJob cut(CuttingProxy::Cut::BeforeCommit);
+  EXPECT_THROW(cut.store->create(cut.job), TemporaryError);
+  EXPECT_TRUE(cut.proxy.was_cut());
+  EXPECT_FALSE(cut.is_kept());
+  EXPECT_EQ(cut.store->create(cut.job).kind, Created::Kind::Made);
 }
 
 TEST(PostgresStore, WaitsForNobodyForEver) {
