@@ -37,6 +37,7 @@ std::vector<EvaluationCase> read_cases(const std::string& text, const Manifest& 
 
 void check_gates(const std::vector<std::string>& texts, const std::vector<EvaluationCase>& cases) {
   std::vector<Gate> gates;
+  gates.reserve(texts.size());
   for (const std::string& text : texts) gates.push_back(parse_gate(text));
   check_gate_groups(gates, expected_groups(cases));
 }

@@ -50,6 +50,7 @@ Evaluation merge_batch(const BatchFolder& folder, const Manifest& manifest,
   }
   const std::vector<EvaluationCase> cases = cases_of(manifest);
   std::vector<Gate> gates;
+  gates.reserve(gate_texts.size());
   for (const std::string& text : gate_texts) gates.push_back(parse_gate(text));
   check_gate_groups(gates, expected_groups(cases));
   Evaluation out;

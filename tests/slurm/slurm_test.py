@@ -179,8 +179,8 @@ class Poison(threading.Thread):
 def batch(*words, environment=None):
     done = subprocess.run([PROGRAM, "batch", *map(str, words)], text=True, capture_output=True,
                           env=environment)
-    print("batch", " ".join(map(str, words[1:])), "->", done.returncode, done.stdout.strip(),
-          done.stderr.strip().splitlines()[-1:], flush=True)
+    print("batch", " ".join(map(str, words[1:])), "->", done.returncode,
+          done.stdout.strip().splitlines()[:1], done.stderr.strip().splitlines()[-1:], flush=True)
     return done
 
 
