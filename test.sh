@@ -150,6 +150,10 @@ build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
 [ "$full" = no ] || check "image" tests/package/image.sh
 [ "$full" = no ] || try "a batch by Slurm, killed part by part" \
   python3 tests/slurm/slurm_test.py build/release/regarment examples/data
+[ "$full" = no ] || check "the service killed 5 times, its workers 50" \
+  python3 tests/service/chaos_test.py build/release/regarment 200 5 50
+[ "$full" = no ] || try "an exported garment as Blender's cloth" \
+  tests/exports/blender_cloth.sh build/release/regarment examples/data/skirt-1.mesh.ply
 headline "form"
 check "clang-format" format_is_right
 check "clang-tidy" tidy_is_clean
