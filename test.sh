@@ -3,7 +3,7 @@
 #   all tests, optimised, and again with the address and undefined-behaviour sanitizers;
 #   the libFuzzer targets for half a minute each; the form of the source; clang-tidy on what changed.
 # test.sh --full  fuzzes ten minutes a target, runs the thread sanitizer, clang-tidy on everything,
-#                 the package on a bare system, a batch by Slurm.
+#                 the package on a bare system, a batch by Slurm, the service killed, Blender.
 # The last line is "N passed, N failed".
 set -u
 cd "$(dirname "$0")" || exit 1
