@@ -270,16 +270,19 @@ void PostgresDatabase::note_time(std::int64_t milliseconds) {
   offset_ = milliseconds - steady_milliseconds();
 }
 
+// One statement, and so one moment: somebody may be making the tables just now.
 int PostgresDatabase::schema_version() {
-  if (number("SELECT (to_regclass('regarment.schema_version') IS NOT NULL)::int") != 0) {
-    return static_cast<int>(number("SELECT version FROM schema_version"));
-  }
-  if (number("SELECT count(*) FROM pg_class JOIN pg_namespace ON pg_namespace.oid = relnamespace "
-             "WHERE nspname = 'regarment'") != 0) {
+  SqlStatement row(*this,
+                   "SELECT count(*), sum((relname = 'schema_version')::int) FROM pg_class "
+                   "JOIN pg_namespace ON pg_namespace.oid = relnamespace "
+                   "WHERE nspname = 'regarment'");
+  row.step();
+  if (row.integer(0) == 0) return 0;
+  if (row.integer(1) == 0) {
     throw UsageError(address_.shown +
                      ": its schema 'regarment' belongs to another program; name another database");
   }
-  return 0;
+  return static_cast<int>(number("SELECT version FROM schema_version"));
 }
 
 void PostgresDatabase::set_schema_version(int version) {

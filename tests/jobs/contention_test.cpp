@@ -19,7 +19,7 @@ constexpr int kMany = 4;
 void at_once(const std::string& where, const std::function<void(int, JobStore&)>& act) {
   std::vector<std::thread> threads;
   for (int i = 0; i < kMany; ++i) {
-    threads.emplace_back([&where, &act, i] { act(i, *open_job_store(where)); });
+    threads.emplace_back([&where, &act, i] { EXPECT_NO_THROW(act(i, *open_job_store(where))); });
   }
   for (std::thread& thread : threads) thread.join();
 }
@@ -108,11 +108,13 @@ TEST_F(ContentionTest, RemovesABatchWithItsLastJobWhoeverRemovesThat) {
 }
 
 TEST_F(ContentionTest, OpensAnEmptyPlaceOnceForAll) {
-  const auto fresh = new_store_place();
-  std::array<int, kMany> versions{};
-  at_once(fresh->where(),
-          [&](int who, JobStore& store) { versions[who] = store.schema_version(); });
-  for (const int version : versions) EXPECT_EQ(version, store_->schema_version());
+  for (int round = 0; round < 5; ++round) {
+    const auto fresh = new_store_place();
+    std::array<int, kMany> versions{};
+    at_once(fresh->where(),
+            [&](int who, JobStore& store) { versions[who] = store.schema_version(); });
+    for (const int version : versions) EXPECT_EQ(version, store_->schema_version());
+  }
 }
 
 }  // namespace
