@@ -3,7 +3,8 @@
 #   all tests, optimised, and again with the address and undefined-behaviour sanitizers;
 #   the libFuzzer targets for half a minute each; the form of the source; clang-tidy on what changed.
 # test.sh --full  fuzzes ten minutes a target, runs the thread sanitizer, clang-tidy on everything,
-#                 the package on a bare system, a batch by Slurm, the service killed, Blender.
+#                 the package on a bare system, a batch by Slurm, the service killed, Blender, a
+#                 bench.
 # The last line is "N passed, N failed".
 set -u
 cd "$(dirname "$0")" || exit 1
@@ -154,6 +155,8 @@ build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
   python3 tests/service/chaos_test.py build/release/regarment 200 5 50
 [ "$full" = no ] || try "an exported garment as Blender's cloth" \
   tests/exports/blender_cloth.sh build/release/regarment examples/data/skirt-1.mesh.ply
+[ "$full" = no ] || check "a bench of a person made for it" \
+  python3 tests/bench/bench_command_test.py build/release/regarment
 headline "form"
 check "clang-format" format_is_right
 check "clang-tidy" tidy_is_clean

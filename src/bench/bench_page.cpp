@@ -108,7 +108,7 @@ std::string bench_page(const Bench& bench) {
   std::vector<Gaps> rows, curves;
   for (const BenchRow& row : bench.rows) rows.push_back(row_gaps(row));
   for (const GrowthCurve& curve : bench.curves)
-    if (!curve.points.empty()) curves.push_back(curve_gaps(curve, curves.size() + 1));
+    if (curve.points.size() > 1) curves.push_back(curve_gaps(curve, curves.size() + 1));
   page.set("rows", std::move(rows));
   page.set("curves", std::move(curves));
   page.set("plot_width", coordinate_text(kWidth));

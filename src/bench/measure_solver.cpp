@@ -20,7 +20,7 @@ void measure_solver(Bench& bench) {
   const GarmentTemplate skirt = find_template("skirt");
   GrowthCurve growth{"a step of the joint fit", "particles", {}, 0};
   bool compared = false;
-  for (const double edge : {0.05, 0.035, 0.025, 0.0175, 0.0125, 0.009, 0.0064}) {
+  for (const double edge : {0.05, 0.035, 0.025, 0.0175, 0.0115, 0.008, 0.0058}) {
     const JointModel model(skirt, skirt.typical(), edge, JointScales{});
     const int n = model.pattern().particle_count;
     const StepSystem p = step_system(model);

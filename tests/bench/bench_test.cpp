@@ -82,5 +82,11 @@ TEST(BenchPage, IsEscapedAndRequestsNothing) {
   EXPECT_NE(page.find("<polyline"), std::string::npos);
 }
 
+TEST(BenchPage, LeavesOutACurveThatIsAPoint) {
+  Bench bench = small_bench();
+  bench.curves[0].points.resize(1);
+  EXPECT_EQ(bench_page(bench).find("<svg"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace regarment
