@@ -21,20 +21,28 @@ constexpr std::int64_t kApplication = 0x52474d54;  // "RGMT"
 
 std::string shown(const fs::path& file) { return one_line(file.string(), 300); }
 
-// SQLite would make the file readable to everybody; its side files take the rights of this one.
+// SQLite would make the file readable to everybody; its side files take the rights of this one. One
+// that is there is not opened here: closing it would drop the locks that other connections of this
+// process hold on it, and another process would take the log from under them.
 void make_file(const fs::path& file) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  const int made = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0600);
-  const int why = errno;
+  const int made = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  int why = errno;
+  if (made >= 0) {
+    ::close(made);
+    return;
+  }
   struct stat facts {};
-  const bool regular = made >= 0 && ::fstat(made, &facts) == 0 && S_ISREG(facts.st_mode);
-  // Closed before SQLite opens the file: a later close would drop the locks it takes.
-  if (made >= 0) ::close(made);
-  if (regular) return;
-  const std::string end = made >= 0 ? "it is no regular file" : std::strerror(why);
+  const bool there = why == EEXIST && ::stat(file.c_str(), &facts) == 0;
+  if (there && S_ISREG(facts.st_mode)) {
+    if (::access(file.c_str(), R_OK | W_OK) == 0) return;
+    why = errno;
+  }
+  const std::string end =
+      there && !S_ISREG(facts.st_mode) ? "it is no regular file" : std::strerror(why);
   const std::string message = shown(file) + ": the job store cannot be opened (" + end + ")";
-  if (made < 0 && (why == ENOSPC || why == EDQUOT || why == EMFILE || why == ENFILE)) {
+  if (why == ENOSPC || why == EDQUOT || why == EMFILE || why == ENFILE) {
     throw TemporaryError(message + "; free some and try again");
   }
   throw UsageError(message + "; name another --store, or another --data");

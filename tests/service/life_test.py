@@ -1,6 +1,7 @@
 """How a service begins and ends: ready, told to stop, with jobs that outlive it."""
 import json
 import os
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -40,6 +41,11 @@ with tempfile.TemporaryDirectory() as folder:
     with Service("--workers", "0", data=data) as service:
         status, _, body = service.ask("GET", "/v1/jobs/" + job)
         expect(status == 200 and json.loads(body)["state"] == "queued", "the job did not outlive it")
+        # Another process that looks into the store must not take its log along when it leaves.
+        store = sqlite3.connect(os.path.join(data, "store.sqlite3"))
+        expect(store.execute("SELECT count(*) FROM jobs").fetchone() == (1,), "not one job")
+        store.close()
+        expect(os.path.exists(os.path.join(data, "store.sqlite3-wal")), "the log is gone")
         status, headers, _ = service.ask("GET", "/v1/jobs/" + job)
         again, _, body = service.ask("GET", "/v1/jobs/" + job,
                                      headers={"If-None-Match": headers["ETag"]})
