@@ -33,7 +33,7 @@ REGARMENT_INLINE void eliminate(const FilledColumn& column, int from, const Matr
   for (FourNumbers& row : work[from].row) lanes(row) = Double4{0, 0, 0, 0};
   double* l = out.data();
   for (int c = 0; c < 3; ++c) {
-    const double* i = inverse.data() + 3 * c;
+    const double* i = inverse.col(c).data();
     const Double4 sum = y0 * i[0] + (y1 * i[1] + y2 * i[2]);
     for (int r = 0; r < 3; ++r) l[3 * c + r] = sum[r];
   }
@@ -66,7 +66,7 @@ REGARMENT_INLINE void solve(const FactorView& f, FourNumbers* x) {
     for (int p = f.start[k]; p < f.start[k + 1]; ++p) {
       const double* l = f.lower[p].data();
       const FourNumbers* from = x + static_cast<std::ptrdiff_t>(f.row[p]) * kBlock;
-      for (int r = 0; r < 3; ++r)
+      for (std::ptrdiff_t r = 0; r < 3; ++r)
         for (int w = 0; w < kWidth; ++w)
           lanes(at[r * kWidth + w]) -=
               l[3 * r] * lanes(from[w]) +
