@@ -80,6 +80,7 @@ TEST_F(ContentionTest, MakesOneJobOfAKeyThatManyUse) {
 TEST_F(ContentionTest, EndsAClaimOnceWhoeverSaysSo) {
   constexpr int kJobs = 20;
   std::vector<Claim> claims;
+  claims.reserve(kJobs);
   for (int i = 0; i < kJobs; ++i) queue();
   for (int i = 0; i < kJobs; ++i) claims.push_back(*store_->claim("w", kLease, kAttempts));
   std::array<int, kMany> ended{};
