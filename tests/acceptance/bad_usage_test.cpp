@@ -84,7 +84,7 @@ const std::vector<BadUsage> kTable = {
      {"evaluate", "FILE", "--out", "NEW", "--estimates", "FILE", "--seed", "3"},
      2,
      "--estimates"},
-    {"BatchIsNotThereYet", {"batch", "FILE"}, 2, "'batch'"},
+    {"BatchWithoutOut", {"batch", "FILE"}, 2, "--out DIR"},
     {"ServeOnAPortThereIsNot", {"serve", "--data", "NEW", "--port", "70000"}, 2, "port"},
     {"UnknownGlobalOption", {"--colour"}, 2, "--colour"},
     {"FitAlone", {"fit"}, 2, ""},
