@@ -43,6 +43,14 @@ std::string whole_number(const std::string& text) {
   return "'" + text + "' is no whole number of at most 15 digits";
 }
 
+void add_pixel_ratio(CLI::App& command, int& ratio) {
+  command
+      .add_option("--pixel-ratio", ratio,
+                  "2: pictures of twice the size, for printing and fine screens")
+      ->check(CLI::Range(1, 2))
+      ->capture_default_str();
+}
+
 CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   const std::vector<std::string> axes = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"};
   CLI::App* fit = app.add_subcommand("fit", "Measure the garments of a dressed person in a scan");
@@ -84,6 +92,7 @@ CLI::App* add_fit(CLI::App& app, FitArguments& a) {
   fit->add_option("--cache-mb", a.cache_mb, "What it may hold, MB; those used last stay")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
+  add_pixel_ratio(*fit, a.pixel_ratio);
   add_known_options(*fit, a.known);
   add_annealing_options(*fit, a.annealing);
   add_speech(*fit, a.speech);
@@ -166,6 +175,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& a) {
   render->add_option("MESH", a.meshes, "Meshes or point clouds")->required();
   render->add_option("--out", a.out, "Folder for the pictures")->required();
   render->add_flag("--force", a.force, "Replace a folder that is not empty");
+  add_pixel_ratio(*render, a.pixel_ratio);
   add_speech(*render, a.speech);
   return render;
 }

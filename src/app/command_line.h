@@ -42,6 +42,7 @@ struct FitArguments {
   std::optional<std::filesystem::path> placement, ground_truth, ground_truth_labels;
   std::optional<std::filesystem::path> cache;
   int cache_mb = 2000;
+  int pixel_ratio = 1;  // of the pictures
 };
 
 /// regarment refit DIR
@@ -101,6 +102,7 @@ struct RenderArguments {
   std::vector<std::filesystem::path> meshes;  // at least one
   std::filesystem::path out;
   bool force = false;
+  int pixel_ratio = 1;
 };
 
 /// regarment templates [NAME]

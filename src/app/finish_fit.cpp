@@ -32,6 +32,7 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
     for (auto& option : chosen_annealing(a.annealing)) out.push_back(std::move(option));
   }
   for (auto& option : chosen_known(a.known)) out.push_back(std::move(option));
+  if (a.pixel_ratio != 1) add("pixel-ratio", std::to_string(a.pixel_ratio));
   add_file("placement", a.placement);
   add_file("ground-truth", a.ground_truth);
   add_file("ground-truth-labels", a.ground_truth_labels);
@@ -40,11 +41,10 @@ std::vector<std::pair<std::string, std::string>> chosen_options(const FitArgumen
 
 // Every option with the value it had, chosen or not.
 std::vector<std::pair<std::string, std::string>> every_option(const FitArguments& a) {
-  std::vector<std::pair<std::string, std::string>> out = {{"method", a.method},
-                                                          {"seed", std::to_string(a.seed)},
-                                                          {"units", a.units},
-                                                          {"up", a.up},
-                                                          {"front", a.front}};
+  std::vector<std::pair<std::string, std::string>> out = {
+      {"method", a.method}, {"seed", std::to_string(a.seed)},
+      {"units", a.units},   {"up", a.up},
+      {"front", a.front},   {"pixel-ratio", std::to_string(a.pixel_ratio)}};
   const std::map<std::string, std::string> none = {
       {"fix", "none"},       {"hint", "none"},         {"fabric", "not said"},
       {"placement", "none"}, {"ground-truth", "none"}, {"ground-truth-labels", "none"}};
@@ -76,6 +76,7 @@ ReportOptions report_options(const FitArguments& a) {
   options.scan_path = a.scan.string();
   options.threads = thread_count(a);
   options.timing = a.timing;
+  options.pixel_ratio = a.pixel_ratio;
   return options;
 }
 

@@ -28,13 +28,17 @@ std::string picture_name(const fs::path& mesh, const Figure& figure) {
   return mesh.filename().string() + "-" + std::string(view_name(figure.view)) + ".png";
 }
 
-void draw(const fs::path& path, const Progress& progress, OutputFolder& out,
+void draw(const fs::path& path, int pixel_ratio, const Progress& progress, OutputFolder& out,
           std::vector<std::string>& names) {
   const Mesh mesh = upright(read_mesh_sandboxed(path, {}, progress).mesh);
   const Scene scene{
       .scan = mesh, .labels = {}, .values = {}, .cap = {}, .outlier = {}, .garments = {}};
   const std::array<Look, 1> looks = {Look::Scan};
-  for (const Figure& figure : render_figures(scene, looks)) {
+  FigureOptions options;
+  options.framing.width *= pixel_ratio;
+  options.framing.height *= pixel_ratio;
+  options.pixel_ratio = pixel_ratio;
+  for (const Figure& figure : render_figures(scene, looks, options)) {
     progress.report("draw", 0.5);
     const std::vector<std::byte> bytes = encode_image(figure.image, ImageFormat::Png);
     std::string text(bytes.size(), '\0');
@@ -63,7 +67,8 @@ void run_render(const RenderArguments& arguments, Console& console) {
   OutputFolder out(arguments.out, arguments.force, arguments.meshes);
   const Progress progress = console.progress();
   std::vector<std::string> names;
-  for (const fs::path& mesh : arguments.meshes) draw(mesh, progress, out, names);
+  for (const fs::path& mesh : arguments.meshes)
+    draw(mesh, arguments.pixel_ratio, progress, out, names);
   out.publish();
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const std::string& name : names) {

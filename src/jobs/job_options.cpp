@@ -43,6 +43,7 @@ constexpr Option kOptions[] = {
     {"no-square-root", Value::Switch},
     {"no-timing", Value::Switch},
     {"normal-angle", Value::Number},
+    {"pixel-ratio", Value::Number},
     {"runs", Value::Number},
     {"seed", Value::Number},
     {"segment-distance", Value::Number},

@@ -26,8 +26,9 @@ constexpr float kEvenness = 0.5F;
 // A draped garment lies within this of the cloth it was fitted to, and is shown in front of it.
 constexpr float kOnTheCloth = 0.02F;  // m
 
-// Half the width of a border line, in samples.
-constexpr double kHalfLine = 1.7;
+// In samples of a picture that has one pixel per pixel of the page.
+constexpr double kHalfLine = 1.7;  // half the width of a border line
+constexpr float kWire = 2.0F;      // width of a wire
 
 // Threads that draw views: each needs a context and a copy of the meshes of its own.
 constexpr std::size_t kCasts = 2;
@@ -165,7 +166,8 @@ Albedo scan_albedo(const Scene& scene, const Surface& scan, Look look, const Col
   return {};
 }
 
-void add_garments(const Stage& stage, const Sight& sight, Look look, std::vector<Paint>& paints) {
+void add_garments(const Stage& stage, const Sight& sight, Look look, int pixel_ratio,
+                  std::vector<Paint>& paints) {
   const bool placed = look == Look::Placement;
   for (std::size_t g = stage.scene.garments.size(); g-- > 0;) {  // innermost first
     const Surface& surface = placed ? sight.placed[g] : sight.draped[g];
@@ -175,6 +177,7 @@ void add_garments(const Stage& stage, const Sight& sight, Look look, std::vector
     paint.plain = garment_colour(stage.scene.garments[g].layer);
     paint.opacity = placed ? 0.55F : 1.0F;
     paint.wire = placed ? 0.75F : 0.0F;
+    paint.wire_width = kWire * static_cast<float>(pixel_ratio);
     paint.bias = placed ? 0.0F : kOnTheCloth;
     paints.push_back(std::move(paint));
   }
@@ -182,17 +185,18 @@ void add_garments(const Stage& stage, const Sight& sight, Look look, std::vector
 
 // What is painted in one look, from the back to the front.
 std::vector<Paint> compose(const Stage& stage, const Sight& sight, Look look,
-                           const ColourScale& scale) {
+                           const FigureOptions& options) {
   std::vector<Paint> paints;
   if (sight.scan.mesh != nullptr) {
     Paint paint;
     paint.surface = &sight.scan;
-    paint.albedo = scan_albedo(stage.scene, sight.scan, look, scale);
+    paint.albedo = scan_albedo(stage.scene, sight.scan, look, options.scale);
     paint.plain = kClay;
     paint.evenness = look == Look::Deviation ? kEvenness : 0.0F;
     paints.push_back(std::move(paint));
   }
-  if (look == Look::Placement || look == Look::Drape) add_garments(stage, sight, look, paints);
+  if (look == Look::Placement || look == Look::Drape)
+    add_garments(stage, sight, look, options.pixel_ratio, paints);
   return paints;
 }
 
@@ -200,9 +204,9 @@ Image make_picture(const Stage& stage, const Sight& sight, Look look,
                    const FigureOptions& options) {
   const FloorShadow* shadow = options.shadow ? &sight.shadow : nullptr;
   const Strokes lines(look == Look::Segmentation ? stage.scene.border_lines : NoLines(),
-                      sight.camera, kHalfLine);
-  Image image = paint_picture(sight.camera, compose(stage, sight, look, options.scale), lines,
-                              shadow, options.background);
+                      sight.camera, kHalfLine * options.pixel_ratio);
+  Image image = paint_picture(sight.camera, compose(stage, sight, look, options), lines, shadow,
+                              options.background);
   if (options.scale_bar) draw_scale_bar(image, sight.camera.pixels_per_metre / kSamples);
   return image;
 }
@@ -229,6 +233,8 @@ std::string_view look_name(Look look) {
 
 void FigureOptions::check() const {
   if (views.empty()) throw InvalidInput("views is empty, at least one is needed");
+  if (pixel_ratio < 1 || pixel_ratio > 4)
+    throw InvalidInput("pixel_ratio is " + std::to_string(pixel_ratio) + ", must be 1 to 4");
   if (max_elements < 1000) {
     throw InvalidInput("max_elements is " + std::to_string(max_elements) + ", must be >= 1000");
   }

@@ -51,6 +51,8 @@ std::string_view look_name(Look look);
 
 struct FigureOptions {
   Framing framing;  // size of each picture
+  // Pixels per pixel of the page it is for, 1..4: lines are as many times as wide.
+  int pixel_ratio = 1;
   std::vector<View> views = four_sides();
   Rgba background = {0, 0, 0, 0};  // opacity 0: cut out, so that any page colour shows
   bool shadow = true;              // soft shadow on the floor under the feet

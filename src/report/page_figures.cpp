@@ -15,7 +15,8 @@ struct Look {
 };
 
 constexpr std::array<Look, 6> kLooks = {{
-    {"scan", "Scan", "The scan as it was read."},
+    {"scan", "Scan",
+     "The scan as it was read. All pictures have one scale: the bar is 20 cm long."},
     {"segmentation", "Segmentation", "Each vertex in the colour of its label."},
     {"placement", "Placement", "Where the garment starts, before it is laid on the scan."},
     {"drape", "Garment", "The garment found, laid on the scan."},

@@ -135,7 +135,8 @@ std::string write_report_folder(const Analysis& analysis,
   ReportFiles early;
   run_together({[&] { filled = close_holes(analysis); },
                 [&] { early = early_files(analysis, templates, options); }});
-  const Pictures pictures = draw_pictures(analysis, filled, options.threads, progress);
+  const Pictures pictures =
+      draw_pictures(analysis, filled, options.pixel_ratio, options.threads, progress);
   progress.report("write", 0.0);
   const ReportFiles files =
       with_pages(std::move(early), analysis, templates, options, filled, pictures);

@@ -23,8 +23,9 @@ struct ReportOptions {
   // Paths as given, and how many threads ran: written only with `timing`.
   std::string scan_path;
   int threads = 1;
-  std::string state;   // bytes of state.bin (analysis/scan_state.h); empty: none is left
-  bool refit = false;  // the scan came from the state of an earlier fit
+  int pixel_ratio = 1;  // of the pictures, 1 or 2: see draw_pictures
+  std::string state;    // bytes of state.bin (analysis/scan_state.h); empty: none is left
+  bool refit = false;   // the scan came from the state of an earlier fit
   // False leaves out times, thread count and paths, so that two runs give the same bytes.
   bool timing = true;
   std::optional<LabelScore> label_score;

@@ -327,6 +327,9 @@ TEST(RenderFigures, RefusesWhatDoesNotFit) {
   FigureOptions coarse = options;
   coarse.max_elements = 10;
   EXPECT_THROW(draw(bare(mesh), Look::Scan, coarse), InvalidInput);
+  FigureOptions denser = options;
+  denser.pixel_ratio = 5;
+  EXPECT_THROW(draw(bare(mesh), Look::Scan, denser), InvalidInput);
   FigureOptions upside_down = options;
   upside_down.scale.high = -1.0;
   EXPECT_THROW(draw(bare(mesh), Look::Scan, upside_down), InvalidInput);

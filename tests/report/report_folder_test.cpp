@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/mesh_io.h"
+#include "render/image.h"
 #include "report/close_holes.h"
 #include "report/evaluations_csv.h"
 #include "report/files.h"
@@ -114,14 +115,32 @@ TEST_F(ReportFolder, ContradictionsAreOurOwnMistake) {
 }
 
 TEST_F(ReportFolder, DrawnTwiceItHasTheSameBytesWhateverTheThreads) {
-  const Pictures one = draw_pictures(analysis_, {}, 1, {});
-  const Pictures two = draw_pictures(analysis_, {}, 2, {});
+  const Pictures one = draw_pictures(analysis_, {}, 1, 1, {});
+  const Pictures two = draw_pictures(analysis_, {}, 1, 2, {});
   EXPECT_EQ(one.bytes, two.bytes);
   EXPECT_EQ(one.figures.size(), 16u);
   const std::size_t total =
       std::accumulate(one.bytes.begin(), one.bytes.end(), std::size_t{0},
                       [](std::size_t sum, const auto& file) { return sum + file.second.size(); });
   EXPECT_LT(total, 900u * 1024u);
+}
+
+TEST_F(ReportFolder, PicturesForFineScreensShowTheSameInTwiceTheSize) {
+  const Pictures plain = draw_pictures(analysis_, {}, 1, 2, {});
+  const Pictures fine = draw_pictures(analysis_, {}, 2, 2, {});
+  ASSERT_EQ(fine.figures.size(), plain.figures.size());
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < plain.figures.size(); ++i) {
+    const std::string& bytes = fine.bytes.at(fine.figures[i].file);
+    const Image small =
+        decode_image(std::as_bytes(std::span(plain.bytes.at(plain.figures[i].file))), "plain");
+    const Image large = decode_image(std::as_bytes(std::span(bytes)), "fine");
+    EXPECT_EQ(large.width, 2 * small.width);
+    EXPECT_EQ(large.height, 2 * small.height);
+    EXPECT_LT(image_difference(shrink(large, 2), small).mean, 0.01) << plain.figures[i].file;
+    total += bytes.size();
+  }
+  EXPECT_LT(total, 2200u * 1024u);
 }
 
 TEST_F(ReportFolder, TheReportIsMadeAgainFromWhatIsStored) {
@@ -154,7 +173,7 @@ TEST_F(SearchedFolder, HoldsItsEvaluationsToo) {
 }
 
 TEST_F(SearchedFolder, ShowsTheDeviationOfItsGarments) {
-  const Pictures pictures = draw_pictures(analysis_, {}, 2, {});
+  const Pictures pictures = draw_pictures(analysis_, {}, 1, 2, {});
   ASSERT_EQ(pictures.figures.size(), 20u);
   EXPECT_EQ(pictures.figures.back().kind, "deviation");
   EXPECT_NE(pictures.bytes.at("pictures/deviation-front.jpg"),
