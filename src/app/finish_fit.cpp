@@ -49,10 +49,11 @@ std::vector<std::pair<std::string, std::string>> every_option(const FitArguments
       {"fix", "none"},       {"hint", "none"},         {"fabric", "not said"},
       {"placement", "none"}, {"ground-truth", "none"}, {"ground-truth-labels", "none"}};
   const auto chosen = chosen_options(a);
-  for (const auto& [name, value] : none) {
-    const auto given = std::find_if(chosen.begin(), chosen.end(),
-                                    [&](const auto& option) { return option.first == name; });
-    out.emplace_back(name, given == chosen.end() ? value : given->second);
+  for (const auto& fallback : none) {
+    const auto given = std::find_if(chosen.begin(), chosen.end(), [&](const auto& option) {
+      return option.first == fallback.first;
+    });
+    out.push_back(given == chosen.end() ? fallback : *given);
   }
   if (a.method == "annealing")
     for (auto& option : every_annealing(a.annealing)) out.push_back(std::move(option));

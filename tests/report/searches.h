@@ -102,7 +102,7 @@ inline FitTrace made_trace(const GarmentTemplate& garment, int runs, int evaluat
   for (int r = 0; r < runs; ++r) {
     const int length = r == 1 ? evaluations * 3 / 5 : evaluations;
     trace.runs.push_back(
-        made_run(start, target, trace.weights, length, static_cast<std::uint64_t>(r + 1)));
+        made_run(start, target, trace.weights, length, static_cast<std::uint64_t>(r) + 1));
     if (r == 1) trace.runs.back().ending = FitEnding::Converged;
     const auto smallest = [&](std::size_t i) {
       return trace.runs[i].evaluations[trace.runs[i].best].error;
