@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> every_option(const FitArguments
     const auto given = std::find_if(chosen.begin(), chosen.end(), [&](const auto& option) {
       return option.first == fallback.first;
     });
-    out.push_back(given == chosen.end() ? fallback : *given);
+    out.emplace_back(fallback.first, given == chosen.end() ? fallback.second : given->second);
   }
   if (a.method == "annealing")
     for (auto& option : every_annealing(a.annealing)) out.push_back(std::move(option));
