@@ -18,6 +18,7 @@ constexpr int kMany = 4;
 // Calls `act` with a number and a store of its own, all at once.
 void at_once(const std::string& where, const std::function<void(int, JobStore&)>& act) {
   std::vector<std::thread> threads;
+  threads.reserve(kMany);
   for (int i = 0; i < kMany; ++i) {
     threads.emplace_back([&where, &act, i] { EXPECT_NO_THROW(act(i, *open_job_store(where))); });
   }
