@@ -1,43 +1,46 @@
 #include "base/sha256.h"
 
-#include <algorithm>
+#include <openssl/evp.h>
 
-#include "base/sha256_blocks.h"
+#include <array>
+#include <new>
+
+#include "base/error.h"
 
 namespace regarment {
+namespace {
+
+void check(int done) {
+  if (done != 1)
+    throw Error(1,
+                "SHA-256: the machine's OpenSSL refuses it; see its openssl.cnf, or OPENSSL_CONF");
+}
+
+}  // namespace
+
+void Sha256::Free::operator()(evp_md_ctx_st* state) const { EVP_MD_CTX_free(state); }
+
+Sha256::State Sha256::new_state() {
+  State state(EVP_MD_CTX_new());
+  if (!state) throw std::bad_alloc();
+  return state;
+}
+
+Sha256::Sha256() { check(EVP_DigestInit_ex(state_.get(), EVP_sha256(), nullptr)); }
 
 void Sha256::add(std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const std::size_t filled = added_ % open_.size();
-    if (filled == 0 && bytes.size() >= open_.size()) {
-      const std::size_t blocks = bytes.size() / open_.size();
-      add_blocks(bytes.data(), blocks, state_);
-      added_ += blocks * open_.size();
-      bytes = bytes.subspan(blocks * open_.size());
-      continue;
-    }
-    const std::size_t taken = std::min(open_.size() - filled, bytes.size());
-    std::copy_n(bytes.begin(), taken, open_.begin() + static_cast<std::ptrdiff_t>(filled));
-    added_ += taken;
-    bytes = bytes.subspan(taken);
-    if (filled + taken == open_.size()) add_blocks(open_.data(), 1, state_);
-  }
+  check(EVP_DigestUpdate(state_.get(), bytes.data(), bytes.size()));
 }
 
 std::string Sha256::hex() const {
-  Sha256 last = *this;
-  // A one bit, zeros, and the length in bits fill the last block.
-  std::array<std::byte, 72> padding{std::byte{0x80}};
-  const std::size_t zeros_end = (119 - added_ % 64) % 64 + 1;
-  for (std::size_t i = 0; i < 8; ++i) {
-    padding[zeros_end + i] = static_cast<std::byte>(added_ * 8 >> (56 - 8 * i));
-  }
-  last.add(std::span(padding).first(zeros_end + 8));
+  const State last = new_state();
+  check(EVP_MD_CTX_copy_ex(last.get(), state_.get()));
+  std::array<unsigned char, 32> digest{};
+  check(EVP_DigestFinal_ex(last.get(), digest.data(), nullptr));
   std::string text;
-  for (const std::uint32_t word : last.state_) {
-    for (int shift = 28; shift >= 0; shift -= 4) {
-      text += "0123456789abcdef"[word >> static_cast<unsigned>(shift) & 15U];
-    }
+  for (const unsigned byte : digest) {
+    text += "0123456789abcdef"[byte >> 4U];
+    text += "0123456789abcdef"[byte & 15U];
   }
   return text;
 }

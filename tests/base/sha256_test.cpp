@@ -4,10 +4,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
-
-#include "base/random.h"
-#include "base/sha256_blocks.h"
 
 namespace regarment {
 namespace {
@@ -29,21 +25,6 @@ TEST(Sha256, PublishedExamples) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// On a processor that has instructions for it, the two are different programs.
-TEST(Sha256, TheQuickWayTakesInBlocksAsTheStandardSays) {
-  Random random(3);
-  std::vector<std::byte> data(64 * 40);
-  for (std::byte& b : data) b = static_cast<std::byte>(random.uniform(0, 256));
-  for (const std::size_t blocks : {0U, 1U, 2U, 3U, 40U}) {
-    ShaState quick{}, plain{};
-    for (std::size_t i = 0; i < quick.size(); ++i)
-      quick[i] = plain[i] = static_cast<std::uint32_t>(random.uniform(0, 4294967295.0));
-    add_blocks(data.data(), blocks, quick);
-    add_blocks_plainly(data.data(), blocks, plain);
-    EXPECT_EQ(quick, plain) << blocks;
-  }
-}
-
 // Padding changes its shape at 55, 56, 63 and 64 bytes; pieces must not matter at any of them.
 TEST(Sha256, PiecesGiveTheSameAsTheWhole) {
   for (std::size_t length = 0; length <= 130; ++length) {
@@ -56,6 +37,22 @@ TEST(Sha256, PiecesGiveTheSameAsTheWhole) {
       EXPECT_EQ(sha.hex(), sha256_hex(bytes(text))) << length << " cut at " << cut;
     }
   }
+}
+
+TEST(Sha256, ADigestOnTheWayChangesNothing) {
+  Sha256 sha;
+  sha.add(bytes("a"));
+  EXPECT_EQ(sha.hex(), sha256_hex(bytes("a")));
+  sha.add(bytes("bc"));
+  EXPECT_EQ(sha.hex(), sha256_hex(bytes("abc")));
+}
+
+TEST(Sha256, BeginsAgainWhenAnotherIsAssigned) {
+  Sha256 sha;
+  sha.add(bytes("ab"));
+  sha = {};
+  sha.add(bytes("abc"));
+  EXPECT_EQ(sha.hex(), sha256_hex(bytes("abc")));
 }
 
 // Computed with sha256sum of coreutils: one length on each side of every change of padding.
