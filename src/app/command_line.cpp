@@ -30,6 +30,16 @@ void add_speech(CLI::App& command, Speech& speech) {
       ->capture_default_str();
 }
 
+// A command, what it does, and its options; those of Speech come last, where it has them.
+template <class Arguments, class Declare>
+CLI::App* add_command(CLI::App& app, const char* name, const char* what, Arguments& a,
+                      const Declare& declare) {
+  CLI::App* command = app.add_subcommand(name, what);
+  declare(*command, a);
+  if constexpr (requires { a.speech; }) add_speech(*command, a.speech);
+  return command;
+}
+
 // One value a time: "--garment tshirt --garment skirt", never "--garment tshirt skirt".
 CLI::Option* one_each(CLI::Option* option) {
   return option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -43,6 +53,17 @@ std::string whole_number(const std::string& text) {
   return "'" + text + "' is no whole number of at most 15 digits";
 }
 
+void add_seed(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "Same seed, same bytes")
+      ->check(whole_number)
+      ->capture_default_str();
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Threads to use; as many as there are cores by default")
+      ->check(CLI::Range(1, 256));
+}
+
 void add_pixel_ratio(CLI::App& command, int& ratio) {
   command
       .add_option("--pixel-ratio", ratio,
@@ -51,187 +72,86 @@ void add_pixel_ratio(CLI::App& command, int& ratio) {
       ->capture_default_str();
 }
 
-CLI::App* add_fit(CLI::App& app, FitArguments& a) {
+void add_fit_options(CLI::App& fit, FitArguments& a) {
   const std::vector<std::string> axes = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"};
-  CLI::App* fit = app.add_subcommand("fit", "Measure the garments of a dressed person in a scan");
-  fit->add_option("SCAN", a.scan, "Mesh or point cloud: PLY, OBJ, OFF, STL, GLB, glTF")->required();
-  one_each(fit->add_option("--garment", a.garments,
-                           "Template name or file; repeat for layers, outermost first"))
+  fit.add_option("SCAN", a.scan, "Mesh or point cloud: PLY, OBJ, OFF, STL, GLB, glTF")->required();
+  one_each(fit.add_option("--garment", a.garments,
+                          "Template name or file; repeat for layers, outermost first"))
       ->required();
-  fit->add_option("--out", a.out, "Folder for the result")->required();
-  fit->add_option("--name", a.name,
-                  "What the scan is called in the result and in the table of true dimensions; its "
-                  "file's name by default");
-  fit->add_flag("--force", a.force, "Replace a folder that is not empty");
-  fit->add_option("--method", a.method, "How to find the dimensions: joint, direct or annealing")
+  fit.add_option("--out", a.out, "Folder for the result")->required();
+  fit.add_option("--name", a.name,
+                 "What the scan is called in the result and in the table of true dimensions; its "
+                 "file's name by default");
+  fit.add_flag("--force", a.force, "Replace a folder that is not empty");
+  fit.add_option("--method", a.method, "How to find the dimensions: joint, direct or annealing")
       ->capture_default_str();
-  fit->add_option("--seed", a.seed, "Same seed, same bytes")
-      ->check(whole_number)
-      ->capture_default_str();
-  fit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
-      ->check(CLI::Range(1, 256));
-  fit->add_flag("!--no-timing", a.timing,
-                "Leave out times, thread count and paths, so that two runs give the same bytes");
-  fit->add_flag("!--no-state", a.state,
-                "Leave no state.bin, by which 'regarment refit' fits the scan again");
-  fit->add_option("--units", a.units, "Unit of the scan")
+  add_seed(fit, a.seed);
+  add_threads(fit, a.threads);
+  fit.add_flag("!--no-timing", a.timing,
+               "Leave out times, thread count and paths, so that two runs give the same bytes");
+  fit.add_flag("!--no-state", a.state,
+               "Leave no state.bin, by which 'regarment refit' fits the scan again");
+  fit.add_option("--units", a.units, "Unit of the scan")
       ->check(CLI::IsMember({"auto", "mm", "cm", "m", "inch"}))
       ->capture_default_str();
-  fit->add_option("--up", a.up, "Axis of the scan that points up")
+  fit.add_option("--up", a.up, "Axis of the scan that points up")
       ->check(CLI::IsMember(axes))
       ->capture_default_str();
-  fit->add_option("--front", a.front, "Axis of the scan the person faces along")
+  fit.add_option("--front", a.front, "Axis of the scan the person faces along")
       ->check(CLI::IsMember(axes))
       ->capture_default_str();
-  fit->add_option("--placement", a.placement, "File with a start position that overrides ours");
-  fit->add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
-  fit->add_option("--ground-truth-labels", a.ground_truth_labels,
-                  "True labels, one byte per vertex");
-  fit->add_option("--cache", a.cache,
-                  "Folder that keeps prepared scans, so that another fit of one begins there");
-  fit->add_option("--cache-mb", a.cache_mb, "What it may hold, MB; those used last stay")
+  fit.add_option("--placement", a.placement, "File with a start position that overrides ours");
+  fit.add_option("--ground-truth", a.ground_truth, "CSV table of true dimensions");
+  fit.add_option("--ground-truth-labels", a.ground_truth_labels,
+                 "True labels, one byte per vertex");
+  fit.add_option("--cache", a.cache,
+                 "Folder that keeps prepared scans, so that another fit of one begins there");
+  fit.add_option("--cache-mb", a.cache_mb, "What it may hold, MB; those used last stay")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  add_pixel_ratio(*fit, a.pixel_ratio);
-  add_known_options(*fit, a.known);
-  add_annealing_options(*fit, a.annealing);
-  add_speech(*fit, a.speech);
-  return fit;
+  add_pixel_ratio(fit, a.pixel_ratio);
+  add_known_options(fit, a.known);
+  add_annealing_options(fit, a.annealing);
 }
 
-CLI::App* add_refit(CLI::App& app, RefitArguments& a) {
-  CLI::App* refit = app.add_subcommand(
-      "refit", "Fit the scan of a result again, with help from a person, without reading it");
-  refit->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
-  refit->add_option("--out", a.out, "Folder for the result; DIR itself by default");
-  refit->add_flag("--force", a.force, "Replace a folder that is not empty, such as DIR");
-  refit->add_flag("--forget", a.forget, "Leave out the help that was given for DIR");
-  refit->add_option("--method", a.method, "Another method: joint, direct or annealing");
-  refit->add_option("--threads", a.threads, "Threads to use; as many as there are cores by default")
-      ->check(CLI::Range(1, 256));
-  refit->add_flag("!--no-timing", a.timing, "Leave out times and thread count");
-  refit->add_flag("!--no-state", a.state, "Leave no state for yet another fit");
-  add_known_options(*refit, a.known);
-  add_speech(*refit, a.speech);
-  return refit;
+void add_refit_options(CLI::App& refit, RefitArguments& a) {
+  refit.add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
+  refit.add_option("--out", a.out, "Folder for the result; DIR itself by default");
+  refit.add_flag("--force", a.force, "Replace a folder that is not empty, such as DIR");
+  refit.add_flag("--forget", a.forget, "Leave out the help that was given for DIR");
+  refit.add_option("--method", a.method, "Another method: joint, direct or annealing");
+  add_threads(refit, a.threads);
+  refit.add_flag("!--no-timing", a.timing, "Leave out times and thread count");
+  refit.add_flag("!--no-state", a.state, "Leave no state for yet another fit");
+  add_known_options(refit, a.known);
 }
 
-CLI::App* add_evaluate(CLI::App& app, EvaluateArguments& a) {
-  CLI::App* evaluate =
-      app.add_subcommand("evaluate", "Measure many scans and compare with their truth");
-  add_evaluate_options(*evaluate, a);
-  add_speech(*evaluate, a.speech);
-  return evaluate;
+void add_report_options(CLI::App& report, ReportArguments& a) {
+  report.add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
 }
 
-CLI::App* add_batch(CLI::App& app, BatchArguments& a) {
-  CLI::App* batch =
-      app.add_subcommand("batch", "Measure the scans of a campaign, on one machine or by Slurm");
-  add_batch_options(*batch, a);
-  add_speech(*batch, a.speech);
-  return batch;
-}
-
-CLI::App* add_batch_task(CLI::App& app, BatchTaskArguments& a) {
-  CLI::App* task = app.add_subcommand("batch-task", "What the tasks of 'batch' run");
-  add_batch_task_options(*task, a);
-  add_speech(*task, a.speech);
-  return task;
-}
-
-CLI::App* add_synthesize(CLI::App& app, SynthesizeArguments& a) {
-  CLI::App* synthesize =
-      app.add_subcommand("synthesize", "Make scans of dressed people with known dimensions");
-  add_synthesize_options(*synthesize, a);
-  synthesize->add_option("--seed", a.seed, "Same seed, same bytes")
-      ->check(whole_number)
-      ->capture_default_str();
-  add_speech(*synthesize, a.speech);
-  return synthesize;
-}
-
-CLI::App* add_report(CLI::App& app, ReportArguments& a) {
-  CLI::App* report = app.add_subcommand("report", "Make the report of a stored result again");
-  report->add_option("DIR", a.folder, "Folder that 'regarment fit' wrote")->required();
-  add_speech(*report, a.speech);
-  return report;
-}
-
-CLI::App* add_review(CLI::App& app, ReviewArguments& a) {
-  CLI::App* review =
-      app.add_subcommand("review", "One page to go through many stored results by keyboard");
+void add_review_options(CLI::App& review, ReviewArguments& a) {
   review
-      ->add_option("DIR", a.folders,
-                   "Folders of 'regarment fit' or 'regarment evaluate', or folders of such folders")
+      .add_option("DIR", a.folders,
+                  "Folders of 'regarment fit' or 'regarment evaluate', or folders of such folders")
       ->required();
-  review->add_option("--out", a.out, "The page, such as review.html")->required();
-  review->add_flag("--force", a.force, "Replace a page that is there");
-  add_speech(*review, a.speech);
-  return review;
+  review.add_option("--out", a.out, "The page, such as review.html")->required();
+  review.add_flag("--force", a.force, "Replace a page that is there");
 }
 
-CLI::App* add_render(CLI::App& app, RenderArguments& a) {
-  CLI::App* render = app.add_subcommand("render", "Draw meshes and clouds from four sides");
-  render->add_option("MESH", a.meshes, "Meshes or point clouds")->required();
-  render->add_option("--out", a.out, "Folder for the pictures")->required();
-  render->add_flag("--force", a.force, "Replace a folder that is not empty");
-  add_pixel_ratio(*render, a.pixel_ratio);
-  add_speech(*render, a.speech);
-  return render;
+void add_render_options(CLI::App& render, RenderArguments& a) {
+  render.add_option("MESH", a.meshes, "Meshes or point clouds")->required();
+  render.add_option("--out", a.out, "Folder for the pictures")->required();
+  render.add_flag("--force", a.force, "Replace a folder that is not empty");
+  add_pixel_ratio(render, a.pixel_ratio);
 }
 
-CLI::App* add_templates(CLI::App& app, TemplatesArguments& a) {
-  CLI::App* templates = app.add_subcommand("templates", "List the garment templates, or show one");
-  templates->add_option("NAME", a.name, "Template name or file");
-  templates
-      ->add_option("--at", a.at,
-                   "With --json: the triangles of the flat pattern at these dimensions, NAME=CM; "
-                   "others are typical")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_speech(*templates, a.speech);
-  return templates;
-}
-
-CLI::App* add_serve(CLI::App& app, ServeArguments& a) {
-  CLI::App* serve = app.add_subcommand("serve", "Serve jobs over HTTP, with pages and workers");
-  add_serve_options(*serve, a);
-  return serve;
-}
-
-CLI::App* add_worker(CLI::App& app, WorkerArguments& a) {
-  CLI::App* worker = app.add_subcommand("worker", "Run queued jobs until stopped");
-  add_worker_options(*worker, a);
-  add_speech(*worker, a.speech);
-  return worker;
-}
-
-CLI::App* add_key(CLI::App& app, KeyArguments& a) {
-  CLI::App* key = app.add_subcommand("key", "Add, list or revoke API keys of the service");
-  add_key_options(*key, a);
-  add_speech(*key, a.speech);
-  return key;
-}
-
-CLI::App* add_config(CLI::App& app, ConfigArguments& a) {
-  CLI::App* config = app.add_subcommand("config", "Check the service's config");
-  add_config_options(*config, a);
-  add_speech(*config, a.speech);
-  return config;
-}
-
-CLI::App* add_doctor(CLI::App& app, DoctorArguments& a) {
-  CLI::App* doctor = app.add_subcommand("doctor", "Look at what the service stands on");
-  add_place_options(*doctor, a.place);
-  add_speech(*doctor, a.speech);
-  return doctor;
-}
-
-CLI::App* add_bench(CLI::App& app, BenchArguments& a) {
-  CLI::App* bench = app.add_subcommand("bench", "Show how fast this program is on this machine");
-  add_bench_options(*bench, a);
-  add_speech(*bench, a.speech);
-  return bench;
+void add_templates_options(CLI::App& templates, TemplatesArguments& a) {
+  templates.add_option("NAME", a.name, "Template name or file");
+  one_each(templates.add_option(
+      "--at", a.at,
+      "With --json: the triangles of the flat pattern at these dimensions, NAME=CM; "
+      "others are typical"));
 }
 
 // "fit, refit or render"
@@ -287,22 +207,47 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "regarment " + version());
   app.footer(kHelpFooter);
-  CLI::App* fit_app = add_fit(app, fit);
-  CLI::App* refit_app = add_refit(app, refit);
-  CLI::App* evaluate_app = add_evaluate(app, evaluate);
-  CLI::App* batch_app = add_batch(app, batch);
-  CLI::App* batch_task_app = add_batch_task(app, batch_task);
-  CLI::App* synthesize_app = add_synthesize(app, synthesize);
-  CLI::App* report_app = add_report(app, report);
-  CLI::App* review_app = add_review(app, review);
-  CLI::App* render_app = add_render(app, render);
-  add_templates(app, templates);
-  CLI::App* serve_app = add_serve(app, serve);
-  CLI::App* worker_app = add_worker(app, worker);
-  CLI::App* key_app = add_key(app, key);
-  CLI::App* config_app = add_config(app, config);
-  CLI::App* doctor_app = add_doctor(app, doctor);
-  CLI::App* bench_app = add_bench(app, bench);
+  CLI::App* fit_app = add_command(app, "fit", "Measure the garments of a dressed person in a scan",
+                                  fit, add_fit_options);
+  CLI::App* refit_app = add_command(
+      app, "refit", "Fit the scan of a result again, with help from a person, without reading it",
+      refit, add_refit_options);
+  CLI::App* evaluate_app =
+      add_command(app, "evaluate", "Measure many scans and compare with their truth", evaluate,
+                  add_evaluate_options);
+  CLI::App* batch_app =
+      add_command(app, "batch", "Measure the scans of a campaign, on one machine or by Slurm",
+                  batch, add_batch_options);
+  CLI::App* batch_task_app = add_command(app, "batch-task", "What the tasks of 'batch' run",
+                                         batch_task, add_batch_task_options);
+  CLI::App* synthesize_app =
+      add_command(app, "synthesize", "Make scans of dressed people with known dimensions",
+                  synthesize, [](CLI::App& command, SynthesizeArguments& a) {
+                    add_synthesize_options(command, a);
+                    add_seed(command, a.seed);
+                  });
+  CLI::App* report_app = add_command(app, "report", "Make the report of a stored result again",
+                                     report, add_report_options);
+  CLI::App* review_app =
+      add_command(app, "review", "One page to go through many stored results by keyboard", review,
+                  add_review_options);
+  CLI::App* render_app = add_command(app, "render", "Draw meshes and clouds from four sides",
+                                     render, add_render_options);
+  add_command(app, "templates", "List the garment templates, or show one", templates,
+              add_templates_options);
+  CLI::App* serve_app = add_command(app, "serve", "Serve jobs over HTTP, with pages and workers",
+                                    serve, add_serve_options);
+  CLI::App* worker_app =
+      add_command(app, "worker", "Run queued jobs until stopped", worker, add_worker_options);
+  CLI::App* key_app =
+      add_command(app, "key", "Add, list or revoke API keys of the service", key, add_key_options);
+  CLI::App* config_app =
+      add_command(app, "config", "Check the service's config", config, add_config_options);
+  CLI::App* doctor_app = add_command(
+      app, "doctor", "Look at what the service stands on", doctor,
+      [](CLI::App& command, DoctorArguments& a) { add_place_options(command, a.place); });
+  CLI::App* bench_app = add_command(app, "bench", "Show how fast this program is on this machine",
+                                    bench, add_bench_options);
   std::string shell;
   CLI::App* completion_app = add_completion(app, shell);
   CLI::App* manual_app = add_manual(app);
