@@ -58,7 +58,7 @@ TEST_P(Baseline, IsWhatTheFigureLooksLike) {
   const std::string name = "figure-" + std::string(look_name(GetParam())) + ".png";
   const Dressed dressed;
   const Image made = draw(dressed.scene(), GetParam(), small(View::FrontLeft));
-  write_png(made, name);
+  write_png(made, std::filesystem::path(REGARMENT_MADE_PICTURES) / name);
   const Image baseline = read_image(std::filesystem::path(REGARMENT_BASELINES) / name);
   const ImageDifference difference = image_difference(made, baseline);
   EXPECT_LT(difference.mean, 0.002);   // a tenth of what a plainly different picture has
