@@ -42,7 +42,7 @@ struct Centres {
   int first_column = 0, last_column = 0, first_row = 0, last_row = 0;
 };
 
-constexpr double kMoved = 1.0 / 64;   // pixels; OpenGL has at least 16 places in one
+constexpr double kMoved = 1.0 / 16;   // pixels; no finer grid is promised: GL_SUBPIXEL_BITS >= 4
 constexpr double kRelative = 1e-6;    // of its distance from the middle, in single precision
 constexpr double kFarthest = 100000;  // pixels; beyond, nearer places serve as well
 
