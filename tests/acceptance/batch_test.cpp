@@ -16,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 // Two of the example scans, fitted by the fastest method.
 fs::path table_in(const fs::path& home, const std::string& more = "") {
   std::ofstream(home / "table.csv") << "scan,layer,template,measurement,value_cm,options\n"

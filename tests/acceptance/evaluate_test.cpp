@@ -16,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 Json json_of(const fs::path& out) { return Json::parse(bytes_of(out / "evaluation.json")); }
 
 // A table beside the program's example scans: the rows of the example table that begin so.

@@ -106,16 +106,12 @@ TEST(Report, IsMadeAgainWithTheSameBytes) {
                         kFitSeconds)
                 .status,
             0);
-  const auto page = [&] {
-    std::ifstream stream(out / "report.html", std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  };
-  const std::string before = page();
+  const std::string before = bytes_of(out / "report.html");
   fs::remove(out / "report.html");
   const ProgramRun run = run_program({"report", out});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, (out / "report.html").string() + "\n");
-  EXPECT_EQ(page(), before);
+  EXPECT_EQ(bytes_of(out / "report.html"), before);
 }
 
 TEST(Output, AFullDeviceIsATemporaryFailure) {

@@ -12,11 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 Json result_in(const fs::path& folder) { return Json::parse(bytes_of(folder / "result.json")); }
 
 /// A skirt fitted once, with truth and true labels; its scan is gone.

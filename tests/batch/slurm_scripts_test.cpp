@@ -22,11 +22,6 @@ void write_program(const fs::path& file, const std::string& text) {
   fs::permissions(file, fs::perms::owner_all);
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 ChildEnd run(const std::vector<std::string>& command) {
   ChildProcess child(command);
   ChildEnd end;
@@ -77,9 +72,9 @@ TEST(SlurmScripts, ATaskRunsItsShardInWhateverFolder) {
   std::ofstream(home.path() / "task") << array_script(plan_of({"a"}), {0}, options);
   ::setenv("SLURM_ARRAY_TASK_ID", "7", 1);
   EXPECT_EQ(run({"/bin/bash", home.path() / "task"}).status, 0);
-  EXPECT_EQ(text_of(home.path() / "words"),
+  EXPECT_EQ(bytes_of(home.path() / "words"),
             "batch-task|" + options.folder.string() + "|--shard|7|--quiet|");
-  EXPECT_EQ(text_of(options.folder / "log/shard-7.log"), home.path().string() + "\n");
+  EXPECT_EQ(bytes_of(options.folder / "log/shard-7.log"), home.path().string() + "\n");
 }
 
 TEST(SlurmScripts, WhatEndsATaskComesBackButNotForEver) {
@@ -117,7 +112,7 @@ TEST(SlurmScripts, SubmitTheArrayAndThenTheMerge) {
   EXPECT_EQ(end.status, 0);
   EXPECT_EQ(end.last_line, "array 41, merge 41");
   const std::string words = "--parsable|" + options.words[0] + "|", folder = options.folder;
-  EXPECT_EQ(text_of(home.path() / "words"), words + folder + "/array.sbatch|" + words +
+  EXPECT_EQ(bytes_of(home.path() / "words"), words + folder + "/array.sbatch|" + words +
                                                 "--dependency=afterany:41|" + folder +
                                                 "/merge.sbatch|");
 }

@@ -54,8 +54,7 @@ class TemplateVariable {
 TEST(FindTemplate, LooksFirstInTheFoldersOfTheEnvironment) {
   const TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
-  std::ifstream original(TEMPLATE_FOLDER "/skirt.json");
-  std::string text((std::istreambuf_iterator<char>(original)), {});
+  std::string text = bytes_of(TEMPLATE_FOLDER "/skirt.json");
   const std::string title = "\"title\": \"Skirt\"";
   text.replace(text.find(title), title.size(), "\"title\": \"Kilt\"");
   std::ofstream(folder / "skirt.json") << text;

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 
 #include "base/error.h"
 #include "garment_samples.h"
+#include "support/folders.h"
 
 namespace regarment {
 namespace {
@@ -135,8 +135,7 @@ TEST(PatternSvg, TakesTheInkOfThePageItIsInlinedIn) {
 }
 
 TEST(PatternSvg, EscapesWordsFromTheTemplate) {
-  std::ifstream stream(TEMPLATE_FOLDER "/skirt.json");
-  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  std::string text = bytes_of(TEMPLATE_FOLDER "/skirt.json");
   const std::string title = "\"title\": \"Waist\"";
   text.replace(text.find(title), title.size(), "\"title\": \"<b>&'x'\"");
   const GarmentTemplate garment = GarmentTemplate::parse(text, "odd.json");

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "base/error.h"
@@ -42,10 +41,7 @@ void run_to_end(std::vector<std::string> command, const std::vector<std::string>
 }
 
 // What a server says of itself: its process first, "ready" at the end once it is.
-std::string state_in(const fs::path& data) {
-  std::ifstream file(data / "postmaster.pid");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string state_in(const fs::path& data) { return bytes_of(data / "postmaster.pid"); }
 
 bool is_ready(const std::string& state) {
   const auto end = state.find_last_not_of(" \n");

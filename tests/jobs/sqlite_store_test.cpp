@@ -6,7 +6,6 @@
 #include <sys/resource.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "base/error.h"
 #include "jobs/store_schema.h"
@@ -25,13 +24,6 @@ std::string refusal(const std::string& where) {
     return error.what();
   }
   return "none";
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream all;
-  all << stream.rdbuf();
-  return all.str();
 }
 
 TEST(SqliteStore, MigratesStepByStepAndOnlyOnce) {

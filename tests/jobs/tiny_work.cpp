@@ -1,7 +1,8 @@
 #include "tiny_work.h"
 
 #include <fstream>
-#include <iterator>
+
+#include "support/folders.h"
 
 namespace regarment {
 namespace {
@@ -26,8 +27,7 @@ fs::path write_tiny_program(const fs::path& folder) {
 std::string tiny_scan(int job) { return "scan of job " + std::to_string(job) + "\n"; }
 
 bool is_tiny_result(const fs::path& result, int job) {
-  std::ifstream file(result / "result");
-  return std::string(std::istreambuf_iterator<char>(file), {}) == tiny_scan(job);
+  return bytes_of(result / "result") == tiny_scan(job);
 }
 
 }  // namespace regarment
