@@ -5,15 +5,10 @@
 #include <algorithm>
 
 #include "evaluations.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t found = 0;
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
-  return found;
-}
 
 TEST(PlotPoints, AreWhatIsSeenAndFound) {
   EvaluatedScan scan = skirt_scan("a", {1, 2, 3, 4});

@@ -7,17 +7,13 @@
 
 #include "base/error.h"
 #include "support/folders.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
 
 std::string message_of(const std::string& name_or_path) {
-  try {
-    find_template(name_or_path);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of<Error>([&] { find_template(name_or_path); });
 }
 
 TEST(FindTemplate, HasTheTwoBuiltInByName) {

@@ -11,17 +11,13 @@
 #include "garment/describe_template.h"
 #include "garment/find_template.h"
 #include "garment_samples.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
 
 std::string message_of(const GarmentTemplate& garment, const Dimensions& dimensions) {
-  try {
-    garment.check(dimensions);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of<UsageError>([&] { garment.check(dimensions); });
 }
 
 Dimensions with(Dimensions dimensions, const std::string& name, double value) {

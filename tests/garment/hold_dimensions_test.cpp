@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "garment/find_template.h"
 #include "support/dice.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -12,12 +13,7 @@ namespace {
 using test::Dice;
 
 std::string refusal(const GarmentTemplate& garment, const Dimensions& held) {
-  try {
-    nearest_holding(garment, garment.typical(), held);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of<UsageError>([&] { nearest_holding(garment, garment.typical(), held); });
 }
 
 TEST(HoldDimensions, LeavesPossibleOnesAlone) {

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "garment/garment_template.h"
+#include "support/texts.h"
 
 #include <fstream>
 
@@ -18,12 +19,7 @@ Json good(const std::string& name) {
 }
 
 std::string message_of(const std::string& text) {
-  try {
-    GarmentTemplate::parse(text, "bad.json");
-  } catch (const ReadError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of<ReadError>([&] { GarmentTemplate::parse(text, "bad.json"); });
 }
 
 struct Change {

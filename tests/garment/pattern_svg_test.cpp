@@ -8,15 +8,10 @@
 #include "base/error.h"
 #include "garment_samples.h"
 #include "support/folders.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
 
 std::vector<Vec2> points_of(const std::string& svg, const std::string& css_class) {
   const std::regex path("<path class=\"" + css_class + "\" d=\"([^\"]*)\"");

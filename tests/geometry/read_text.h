@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/mesh_io.h"
+#include "support/texts.h"
 
 namespace regarment::test {
 
@@ -20,12 +21,7 @@ inline Mesh read_text(const std::string& file, MeshFormat format,
 /// What the reader complains, or nothing when it does not.
 inline std::string complaint(const std::string& file, MeshFormat format,
                              const MeshReadLimits& limits = {}) {
-  try {
-    read_text(file, format, limits);
-  } catch (const ReadError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of<ReadError>([&] { read_text(file, format, limits); });
 }
 
 using Corners = std::vector<Triangle>;

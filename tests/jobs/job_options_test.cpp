@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "jobs/job_progress.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -11,12 +12,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 std::string refusal(const std::string& json) {
-  try {
-    option_words(json);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "none";
+  return refusal_of<UsageError>([&] { option_words(json); });
 }
 
 TEST(JobOptions, BecomeWordsInTheirOrder) {

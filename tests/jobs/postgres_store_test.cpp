@@ -11,15 +11,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::string refusal(const std::string& where) {
-  try {
-    open_job_store(where);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 PostgresDatabase connect(const StorePlace& place) {
   return PostgresDatabase(PostgresAddress::parse(place.where()));
 }

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "support/folders.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -23,12 +24,7 @@ class ServiceConfigTest : public testing::Test {
     });
   }
   std::string refusal(const std::string& toml) {
-    try {
-      read(toml);
-    } catch (const UsageError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusal_of<UsageError>([&] { read(toml); });
   }
   static std::string from(const ReadConfig& read, const std::string& name) {
     for (const ConfigEntry& entry : read.entries) {

@@ -17,15 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-std::string refusal(const std::string& where) {
-  try {
-    open_job_store(where);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 TEST(SqliteStore, MigratesStepByStepAndOnlyOnce) {
   const TemporaryFolder folder;
   const char* steps[] = {"CREATE TABLE a (x); INSERT INTO a VALUES (1)",
@@ -60,13 +51,13 @@ TEST(SqliteStore, RefusesANewerSchemaPolitely) {
 TEST(SqliteStore, RefusesWhatIsNoStore) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "text") << std::string(5000, 'x');
-  EXPECT_NE(refusal(folder.path() / "text"), "none");
+  EXPECT_NE(refusal(folder.path() / "text"), "");
   EXPECT_EQ(bytes_of(folder.path() / "text"), std::string(5000, 'x'));
   SqliteDatabase(folder.path() / "other").run("CREATE TABLE songs (title)");
   EXPECT_NE(refusal(folder.path() / "other").find("another program"), std::string::npos);
-  EXPECT_NE(refusal(folder.path()), "none");
-  EXPECT_NE(refusal("/dev/null"), "none");
-  EXPECT_NE(refusal(""), "none");
+  EXPECT_NE(refusal(folder.path()), "");
+  EXPECT_NE(refusal("/dev/null"), "");
+  EXPECT_NE(refusal(""), "");
   EXPECT_NE(refusal("mysql://host/x").find("mysql"), std::string::npos);
 }
 

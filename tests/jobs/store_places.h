@@ -5,8 +5,10 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "jobs/job_store.h"
 #include "support/folders.h"
+#include "support/texts.h"
 
 namespace regarment {
 
@@ -55,6 +57,11 @@ class JobStoreTest : public testing::Test {
   }
   JobState state(const std::string& id) { return store_->find(id)->state; }
 };
+
+/// Why a store is not opened there; nothing when it is.
+inline std::string refusal(const std::string& where) {
+  return refusal_of<UsageError>([&] { open_job_store(where); });
+}
 
 constexpr std::chrono::milliseconds kLease{30000};
 constexpr int kAttempts = 3;

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "render/context.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -12,12 +13,7 @@ constexpr std::string_view kVertex = "#version 450 core\nvoid main() { gl_Positi
 
 std::string message_of(std::string_view fragment) {
   Context::of_this_thread();
-  try {
-    Shader("broken", kVertex, fragment);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_of<Error>([&] { Shader("broken", kVertex, fragment); });
 }
 
 TEST(Shader, ErrorNamesFileAndLine) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -10,12 +11,7 @@ namespace {
 CsvTable parse(const std::string& text) { return CsvTable::parse(text, "t.csv"); }
 
 std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const ReadError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_of<ReadError>([&] { parse(text); });
 }
 
 TEST(CsvTable, ReadsByColumnNameWhateverTheOrder) {

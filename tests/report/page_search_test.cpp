@@ -6,17 +6,12 @@
 #include "report/evaluations_csv.h"
 #include "results.h"
 #include "searches.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
 
 using Json = nlohmann::json;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
 
 /// A result whose garment was searched for, with deviations.
 class PageSearch : public testing::Test {

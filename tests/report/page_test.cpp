@@ -7,15 +7,10 @@
 #include "report/checks.h"
 #include "report/content_policy.h"
 #include "results.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
 
 std::string page_of(const Result& result) { return report_page(result, bare_parts(result)); }
 

@@ -8,6 +8,7 @@
 #include "report/write_review.h"
 #include "results.h"
 #include "support/folders.h"
+#include "support/texts.h"
 
 namespace regarment {
 namespace {
@@ -16,12 +17,6 @@ namespace fs = std::filesystem;
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t out = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++out;
-  return out;
 }
 
 ReviewItem item(const std::string& name) {
