@@ -131,9 +131,9 @@ void PostgresServer::run(const std::string& database, const std::string& sql) co
   PostgresDatabase(PostgresAddress::parse(address(database))).run(sql);
 }
 
-std::string PostgresServer::make_database() {
+std::string PostgresServer::make_database(const std::string& words) {
   const std::string name = "test" + std::to_string(++databases_);
-  run("postgres", "CREATE DATABASE " + name);
+  run("postgres", "CREATE DATABASE " + name + " " + words);
   return address(name);
 }
 

@@ -27,8 +27,8 @@ class PostgresServer {
   std::filesystem::path socket_folder() const { return folder_.path(); }
   /// Runs SQL in a database, outside a transaction.
   void run(const std::string& database, const std::string& sql) const;
-  /// Makes an empty database; its address.
-  std::string make_database();
+  /// Makes an empty database, with these words of CREATE DATABASE; its address.
+  std::string make_database(const std::string& words = "");
 
   /// All its processes end at once, as when the power fails.
   void kill();

@@ -59,8 +59,8 @@ TEST(PostgresStore, RefusesWhatIsNotForIt) {
   connect(place).run("CREATE SCHEMA regarment; CREATE TABLE regarment.songs (title TEXT)");
   EXPECT_NE(refusal(place.where()).find("another program"), std::string::npos);
   EXPECT_NE(refusal(test_server().address("nowhere")).find("does not exist"), std::string::npos);
-  test_server().run("postgres", "CREATE DATABASE latin ENCODING 'LATIN1' TEMPLATE template0");
-  EXPECT_NE(refusal(test_server().address("latin")).find("UTF8"), std::string::npos);
+  const std::string latin = test_server().make_database("ENCODING 'LATIN1' TEMPLATE template0");
+  EXPECT_NE(refusal(latin).find("UTF8"), std::string::npos);
 }
 
 TEST(PostgresStore, LeavesTheTablesOfOthersAlone) {
