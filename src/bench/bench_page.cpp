@@ -13,15 +13,6 @@ namespace {
 
 constexpr double kWidth = 420, kHeight = 260, kLeft = 52, kRight = 12, kTop = 22, kBottom = 40;
 
-std::string text(double x, double y, const std::string& kind, const std::string& words) {
-  return "<text class=\"" + kind + "\" x=\"" + coordinate_text(x) + "\" y=\"" + coordinate_text(y) +
-         "\">" + words + "</text>";
-}
-
-std::string path(const std::string& kind, const SvgPath& data) {
-  return "<path class=\"" + kind + "\" d=\"" + data.text() + "\"/>";
-}
-
 // All of the values, which are positive, and a little room.
 AxisRange logarithmic(const std::vector<double>& values) {
   constexpr double kRoom = 1.15;
@@ -44,23 +35,23 @@ std::string plot(const GrowthCurve& curve) {
   for (const AxisTick& tick : axis_ticks(up, 5)) {
     grid.move_to(kLeft, y(tick.value));
     grid.horizontal_to(kWidth - kRight);
-    words += text(kLeft - 6, y(tick.value) + 4, "y", tick.text);
+    words += text_element(kLeft - 6, y(tick.value) + 4, "y", tick.text);
   }
   ends.move_to(kLeft, kHeight - kBottom);
   ends.horizontal_to(kWidth - kRight);
   for (const AxisTick& tick : axis_ticks(across, 4)) {
     ends.move_to(x(tick.value), kHeight - kBottom);
     ends.vertical_to(kHeight - kBottom + 4);
-    words += text(x(tick.value), kHeight - kBottom + 17, "x", tick.text);
+    words += text_element(x(tick.value), kHeight - kBottom + 17, "x", tick.text);
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     corners += coordinate_text(x(sizes[i])) + "," + coordinate_text(y(times[i])) + " ";
     dots.dot(x(sizes[i]), y(times[i]));
   }
-  words += text(0.5 * (kLeft + kWidth - kRight), kHeight - 6, "x", curve.size_unit);
-  words += text(0, kTop - 8, "name", "ms");
-  return path("grid", grid) + path("ends", ends) + words + "<polyline class=\"line s0\" points=\"" +
-         corners + "\"/>" + path("dots s0", dots);
+  words += text_element(0.5 * (kLeft + kWidth - kRight), kHeight - 6, "x", curve.size_unit);
+  words += text_element(0, kTop - 8, "name", "ms");
+  return path_element("grid", grid) + path_element("ends", ends) + words +
+         "<polyline class=\"line s0\" points=\"" + corners + "\"/>" + path_element("dots s0", dots);
 }
 
 Gaps row_gaps(const BenchRow& row) {

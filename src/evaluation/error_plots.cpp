@@ -25,40 +25,31 @@ struct Frame {
   }
 };
 
-std::string path(const std::string& kind, const SvgPath& data) {
-  if (data.text().empty()) return {};
-  return "<path class=\"" + kind + "\" d=\"" + data.text() + "\"/>";
-}
-
-std::string text(double x, double y, const std::string& kind, const std::string& words) {
-  return "<text class=\"" + kind + "\" x=\"" + coordinate_text(x) + "\" y=\"" + coordinate_text(y) +
-         "\">" + words + "</text>";
-}
-
 std::string axes(const Frame& frame, const std::string& across, const std::string& up) {
   SvgPath grid, ends;
   std::string words;
   for (const AxisTick& tick : axis_ticks(frame.up, 6)) {
     grid.move_to(kLeft, frame.y(tick.value));
     grid.horizontal_to(kPlotWidth - kRight);
-    words += text(kLeft - 6, frame.y(tick.value) + 4, "y", tick.text);
+    words += text_element(kLeft - 6, frame.y(tick.value) + 4, "y", tick.text);
   }
   ends.move_to(kLeft, kPlotHeight - kBottom);
   ends.horizontal_to(kPlotWidth - kRight);
   for (const AxisTick& tick : axis_ticks(frame.across, 7)) {
     ends.move_to(frame.x(tick.value), kPlotHeight - kBottom);
     ends.vertical_to(kPlotHeight - kBottom + 4);
-    words += text(frame.x(tick.value), kPlotHeight - kBottom + 17, "x", tick.text);
+    words += text_element(frame.x(tick.value), kPlotHeight - kBottom + 17, "x", tick.text);
   }
-  words += text(0.5 * (kLeft + kPlotWidth - kRight), kPlotHeight - 6, "x", across);
-  return path("grid", grid) + path("ends", ends) + words + text(0, 10, "name", up);
+  words += text_element(0.5 * (kLeft + kPlotWidth - kRight), kPlotHeight - 6, "x", across);
+  return path_element("grid", grid) + path_element("ends", ends) + words +
+         text_element(0, 10, "name", up);
 }
 
 std::string level(const Frame& frame, double value, const std::string& kind) {
   SvgPath line;
   line.move_to(kLeft, frame.y(value));
   line.horizontal_to(kPlotWidth - kRight);
-  return path("level " + kind, line);
+  return path_element("level " + kind, line);
 }
 
 template <typename Across, typename Up>
@@ -67,7 +58,7 @@ std::string dots(const std::vector<PlotPoint>& points, const Frame& frame, Acros
   for (const PlotPoint& point : points) {
     (point.flagged ? flagged : seen).dot(frame.x(across(point)), frame.y(up(point)));
   }
-  return path("dots s4", flagged) + path("dots s0", seen);
+  return path_element("dots s4", flagged) + path_element("dots s0", seen);
 }
 
 }  // namespace

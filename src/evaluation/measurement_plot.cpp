@@ -28,9 +28,10 @@ class Plot {
     axis();
     for (std::size_t i = 0; i < rows_.size(); ++i)
       row(rows_[i], kTop + kRow * static_cast<double>(i));
-    return path("band", bands_) + path("grid", grid_) + path("level zero", zero_) +
-           path("dots s0", dots_) + path("box", boxes_) + path("median", medians_) +
-           path("level truth", means_) + words_;
+    return path_element("band", bands_) + path_element("grid", grid_) +
+           path_element("level zero", zero_) + path_element("dots s0", dots_) +
+           path_element("box", boxes_) + path_element("median", medians_) +
+           path_element("level truth", means_) + words_;
   }
 
  private:
@@ -41,24 +42,16 @@ class Plot {
 
   double bottom() const { return kTop + kRow * static_cast<double>(rows_.size()); }
 
-  static std::string path(const std::string& kind, const SvgPath& data) {
-    return data.text().empty() ? "" : "<path class=\"" + kind + "\" d=\"" + data.text() + "\"/>";
-  }
-
-  void word(double at_x, double at_y, const std::string& kind, const std::string& text) {
-    words_ += "<text class=\"" + kind + "\" x=\"" + coordinate_text(at_x) + "\" y=\"" +
-              coordinate_text(at_y) + "\">" + text + "</text>";
-  }
-
   void axis() {
     for (const AxisTick& tick : axis_ticks(range_, 9)) {
       grid_.move_to(x(tick.value), kTop);
       grid_.vertical_to(bottom());
-      word(x(tick.value), bottom() + 17, "x", tick.text);
+      words_ += text_element(x(tick.value), bottom() + 17, "x", tick.text);
     }
     zero_.move_to(x(0), kTop);
     zero_.vertical_to(bottom());
-    word(0.5 * (kLeft + kMeasurementPlotWidth - kRight), bottom() + 34, "x", "error, cm");
+    words_ += text_element(0.5 * (kLeft + kMeasurementPlotWidth - kRight), bottom() + 34, "x",
+                           "error, cm");
   }
 
   static void rectangle(SvgPath& to, double left, double top, double right, double low) {
@@ -71,7 +64,7 @@ class Plot {
 
   void row(const MeasurementErrors& row, double top) {
     const double middle = top + 0.5 * kRow;
-    word(kLeft - 10, middle + 4, "y", xml_escaped(row.name));
+    words_ += text_element(kLeft - 10, middle + 4, "y", xml_escaped(row.name));
     if (row.limit_cm)
       rectangle(bands_, x(-*row.limit_cm), top + 4, x(*row.limit_cm), top + kRow - 4);
     for (std::size_t i = 0; i < row.errors_cm.size(); ++i) {

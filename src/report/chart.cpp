@@ -41,23 +41,13 @@ class Frame {
   std::size_t longest_ = 1;
 };
 
-std::string path(const std::string& kind, const SvgPath& data) {
-  if (data.text().empty()) return {};
-  return "<path class=\"" + kind + "\" d=\"" + data.text() + "\"/>";
-}
-
-std::string text(double x, double y, const std::string& kind, const std::string& words) {
-  return "<text class=\"" + kind + "\" x=\"" + coordinate_text(x) + "\" y=\"" + coordinate_text(y) +
-         "\">" + words + "</text>";
-}
-
 std::string draw_axes(const Chart& chart, const Frame& frame) {
   SvgPath grid;
   std::string words;
   for (const AxisTick& tick : axis_ticks(chart.range, 5)) {
     grid.move_to(frame.left(), frame.y(tick.value));
     grid.horizontal_to(frame.right());
-    words += text(frame.left() - 6.0, frame.y(tick.value) + 4.0, "y", tick.text);
+    words += text_element(frame.left() - 6.0, frame.y(tick.value) + 4.0, "y", tick.text);
   }
   const AxisRange evaluations{1.0, static_cast<double>(std::max<std::size_t>(frame.longest(), 2))};
   SvgPath ends;
@@ -67,10 +57,10 @@ std::string draw_axes(const Chart& chart, const Frame& frame) {
     if (tick.value != std::floor(tick.value)) continue;
     ends.move_to(frame.x(tick.value), frame.bottom());
     ends.vertical_to(frame.bottom() + 3.0);
-    words += text(frame.x(tick.value), frame.bottom() + 15.0, "x",
-                  count_text(static_cast<std::size_t>(tick.value)));
+    words += text_element(frame.x(tick.value), frame.bottom() + 15.0, "x",
+                          count_text(static_cast<std::size_t>(tick.value)));
   }
-  return path("grid", grid) + path("ends", ends) + words;
+  return path_element("grid", grid) + path_element("ends", ends) + words;
 }
 
 std::string draw_levels(const Chart& chart, const Frame& frame) {
@@ -81,7 +71,7 @@ std::string draw_levels(const Chart& chart, const Frame& frame) {
     SvgPath line;
     line.move_to(frame.left(), frame.y(level.value));
     line.horizontal_to(frame.right());
-    out += path("level " + level.kind, line);
+    out += path_element("level " + level.kind, line);
   }
   return out;
 }
@@ -91,7 +81,7 @@ std::string draw_dots(const ChartRun& run, std::size_t most, const Frame& frame)
   for (const std::size_t i : dots_to_draw(run.tried, most)) {
     dots.dot(frame.x(static_cast<double>(i + 1)), frame.y(run.tried[i]));
   }
-  return path("dots s" + std::to_string(run.style), dots);
+  return path_element("dots s" + std::to_string(run.style), dots);
 }
 
 struct DrawnLine {
@@ -125,7 +115,7 @@ DrawnLine draw_line(const ChartRun& run, const Frame& frame) {
   // Close steps were left out; the end is where it is.
   out.end_y = frame.y(run.found.back());
   steps.vertical_to(out.end_y);
-  out.svg = path("line s" + std::to_string(run.style), steps);
+  out.svg = path_element("line s" + std::to_string(run.style), steps);
   return out;
 }
 
@@ -144,7 +134,7 @@ std::string draw_chart(const Chart& chart) {
   }
   spread_labels(labels, frame.top() + 8.0, frame.bottom());
   for (const ChartLabel& label : labels) {
-    words += text(label.x, label.y, "label s" + std::to_string(label.style), label.text);
+    words += text_element(label.x, label.y, "label s" + std::to_string(label.style), label.text);
   }
   return out + draw_levels(chart, frame) + lines + words;
 }

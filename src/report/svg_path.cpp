@@ -51,4 +51,14 @@ void SvgPath::vertical_to(double y) {
 
 std::string coordinate_text(double value) { return text_of(tenths(value)); }
 
+std::string path_element(const std::string& kind, const SvgPath& data) {
+  if (data.text().empty()) return {};
+  return "<path class=\"" + kind + "\" d=\"" + data.text() + "\"/>";
+}
+
+std::string text_element(double x, double y, const std::string& kind, const std::string& words) {
+  return "<text class=\"" + kind + "\" x=\"" + coordinate_text(x) + "\" y=\"" + coordinate_text(y) +
+         "\">" + words + "</text>";
+}
+
 }  // namespace regarment

@@ -26,4 +26,9 @@ class SvgPath {
 /// A coordinate as in a path: "12.5", "-.3", "7".
 std::string coordinate_text(double value);
 
+/// The elements of a plot. `kind` is the class, by which the page styles it; `words` come escaped.
+/// A path without data is nothing.
+std::string path_element(const std::string& kind, const SvgPath& data);
+std::string text_element(double x, double y, const std::string& kind, const std::string& words);
+
 }  // namespace regarment
