@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/every_fit_options.h"
+#include "app/one_each.h"
 #include "base/error.h"
 #include "base/one_line.h"
 
@@ -10,9 +11,8 @@ namespace regarment {
 namespace {
 
 void add_gates(CLI::App& command, std::vector<std::string>& gates) {
-  command.add_option("--gate", gates, "A condition such as \"mae_cm<=1.0\"; repeat for more")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(
+      command.add_option("--gate", gates, "A condition such as \"mae_cm<=1.0\"; repeat for more"));
 }
 
 }  // namespace
@@ -40,11 +40,9 @@ void add_batch_options(CLI::App& batch, BatchArguments& a) {
   batch.add_option("--only", a.only, "Only scans whose name matches, with * and ?");
   add_gates(batch, a.gates);
   batch.add_flag("--dry-run", a.dry_run, "With slurm: write the scripts, submit nothing");
-  batch
-      .add_option("--sbatch", a.sbatch,
-                  "An option of every sbatch, such as --sbatch=--partition=fit; repeat for more")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(batch.add_option(
+      "--sbatch", a.sbatch,
+      "An option of every sbatch, such as --sbatch=--partition=fit; repeat for more"));
   add_every_fit_options(batch, a.fit_options);
 }
 

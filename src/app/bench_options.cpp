@@ -2,17 +2,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/one_each.h"
 #include "base/error.h"
 
 namespace regarment {
 
 void add_bench_options(CLI::App& bench, BenchArguments& a) {
   bench.add_option("SCAN", a.scan, "What is fitted; a person made for it by default");
-  bench
-      .add_option("--garment", a.garments,
-                  "Template name or file; repeat for layers, outermost first; skirt by default")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(bench.add_option(
+      "--garment", a.garments,
+      "Template name or file; repeat for layers, outermost first; skirt by default"));
   bench.add_option("--ground-truth", a.ground_truth, "CSV table of SCAN's true dimensions");
   bench.add_option("--out", a.out, "A page with the figures, such as bench.html");
   bench.add_flag("--force", a.force, "Replace a page that is there");

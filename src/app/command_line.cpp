@@ -6,6 +6,7 @@
 #include "app/bench_options.h"
 #include "app/check_arguments.h"
 #include "app/evaluate_options.h"
+#include "app/one_each.h"
 #include "app/shell_help.h"
 #include "app/synthesize_options.h"
 #include "base/error.h"
@@ -38,11 +39,6 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Argumen
   declare(*command, a);
   if constexpr (requires { a.speech; }) add_speech(*command, a.speech);
   return command;
-}
-
-// One value a time: "--garment tshirt --garment skirt", never "--garment tshirt skirt".
-CLI::Option* one_each(CLI::Option* option) {
-  return option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 // What every JSON reader keeps exactly; CLI11 by itself takes -1 for the largest number there is.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/every_fit_options.h"
+#include "app/one_each.h"
 #include "base/error.h"
 
 namespace regarment {
@@ -17,11 +18,9 @@ void add_evaluate_options(CLI::App& evaluate, EvaluateArguments& a) {
   evaluate.add_option("--estimates", a.estimates,
                       "Compare the estimates of this table; fit nothing");
   evaluate.add_option("--baseline", a.baseline, "An evaluation.json of before to compare with");
-  evaluate
-      .add_option("--gate", a.gates,
-                  "A condition such as \"mae_cm<=1.0\" or \"skirt.hip.p95_cm<2\"; repeat for more")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(evaluate.add_option(
+      "--gate", a.gates,
+      "A condition such as \"mae_cm<=1.0\" or \"skirt.hip.p95_cm<2\"; repeat for more"));
   evaluate.add_option("--jobs", a.jobs, "Fits at once; as many as there are cores by default")
       ->check(CLI::Range(1, 256));
   evaluate.add_option("--threads", a.threads, "Threads of each fit; the cores shared by default")

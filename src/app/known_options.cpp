@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstring>
 
+#include "app/one_each.h"
 #include "base/error.h"
 #include "base/one_line.h"
 
@@ -163,9 +164,6 @@ std::string joined(const std::vector<std::string>& texts) {
 
 void add_known_options(CLI::App& command, KnownArguments& a) {
   const auto add = [&](CLI::Option* option) { return option->group("Help from a person"); };
-  const auto one_each = [](CLI::Option* option) {
-    option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  };
   one_each(add(command.add_option("--fix", a.fix,
                                   "A dimension that is known, NAME=CM: held exactly; of several "
                                   "garments skirt.length=54; repeat for more")));

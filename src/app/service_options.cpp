@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/one_each.h"
 #include "base/error.h"
 #include "base/one_line.h"
 #include "jobs/api_key.h"
@@ -39,12 +40,10 @@ void add_key_options(CLI::App& command, KeyArguments& a) {
       ->required()
       ->check(CLI::IsMember({"add", "list", "revoke"}));
   command.add_option("WHAT", a.what, "Name of the key to add, or id of the one to revoke");
-  command
-      .add_option("--scope", a.scopes,
-                  "What the key may do: submit, read, review or admin; repeat for more")
-      ->check(CLI::IsMember({"submit", "read", "review", "admin"}))
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(
+      command.add_option("--scope", a.scopes,
+                         "What the key may do: submit, read, review or admin; repeat for more"))
+      ->check(CLI::IsMember({"submit", "read", "review", "admin"}));
   add_place_options(command, a.place);
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/one_each.h"
+
 namespace regarment {
 namespace {
 
@@ -25,11 +27,9 @@ void add_synthesize_options(CLI::App& synthesize, SynthesizeArguments& a) {
   synthesize.add_option("--first", a.first, "Number of the first case")
       ->check(CLI::Range(0, 10000000))
       ->capture_default_str();
-  synthesize
-      .add_option("--garment", a.garments,
-                  "Only people who wear this: skirt or tshirt; repeat, outermost first")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  one_each(
+      synthesize.add_option("--garment", a.garments,
+                            "Only people who wear this: skirt or tshirt; repeat, outermost first"));
   synthesize.add_option("--kind", a.kind, "What the scans are: cloud, open, closed or all")
       ->check(CLI::IsMember({"cloud", "open", "closed", "all"}))
       ->capture_default_str();
