@@ -21,8 +21,9 @@
 namespace regarment {
 namespace {
 
-constexpr std::chrono::milliseconds kGrace{1000};  // between SIGTERM and SIGKILL
-constexpr std::size_t kKeptText = 64U << 10U;      // of standard error; the last line is in it
+constexpr std::chrono::milliseconds kGrace{1000};    // between SIGTERM and SIGKILL
+constexpr std::chrono::milliseconds kLastMoment{1};  // between a child's last word and its end
+constexpr std::size_t kKeptText = 64U << 10U;        // of standard error; the last line is in it
 constexpr std::size_t kLongestLine = 500;
 
 /// What a child is given, ready before the fork.
@@ -169,6 +170,8 @@ void wait_for_children(const std::vector<const ChildProcess*>& children,
   for (const ChildProcess* child : children) {
     if (child->output() >= 0) watched.push_back({child->output(), POLLIN, 0});
   }
+  // One that has closed its output is on its way out, and nothing wakes us once it is there.
+  if (watched.size() < children.size()) most = std::min(most, kLastMoment);
   ::poll(watched.data(), watched.size(), static_cast<int>(most.count()));
 }
 
