@@ -34,22 +34,43 @@ class WorkFolder {
   fs::path path_;
 };
 
-// A person who wears the garments asked for, as a closed mesh with its truth.
-void make_person(const fs::path& folder, const Progress& progress, BenchOptions& how) {
+// A person who wears these garments, as a closed mesh with its truth.
+BenchScan make_person(const fs::path& folder, const std::vector<std::string>& garments,
+                      const Progress& progress) {
+  BenchScan scan{{}, garments};
   SynthesizeOptions options;
   options.cases = 1;
-  options.wish.garments = how.garments;
+  options.wish.garments = garments;
   options.wish.kind = ScanKind::ClosedMesh;
   const auto take = [&](const std::vector<CaseFile>& files) {
     for (const CaseFile& file : files) {
       fs::create_directories((folder / file.path).parent_path());
       write_file(folder / file.path, file.bytes);
-      if (file.path.find(".mesh.ply") != std::string::npos) how.scan = folder / file.path;
+      if (file.path.find(".mesh.ply") != std::string::npos) scan.file = folder / file.path;
     }
   };
   const Synthesis made = synthesize(options, take, progress);
   take(truth_tables(made));
-  how.truth = {"--ground-truth", (folder / "truth" / "ground_truth.csv").string()};
+  scan.truth = {"--ground-truth", (folder / "truth" / "ground_truth.csv").string()};
+  return scan;
+}
+
+// What `a` names, or a person made for it.
+BenchScan scan_of(const BenchArguments& a, const fs::path& folder, const Progress& progress) {
+  const auto garments = a.garments.empty() ? std::vector<std::string>{"skirt"} : a.garments;
+  if (!a.scan) return make_person(folder, garments, progress);
+  BenchScan scan{*a.scan, garments};
+  if (a.ground_truth) scan.truth = {"--ground-truth", a.ground_truth->string()};
+  return scan;
+}
+
+// The same with two layers, unless the scan has several already.
+std::optional<BenchScan> layers_of(const BenchArguments& a, const fs::path& folder,
+                                   const Progress& progress) {
+  if (a.garments.size() > 1) return std::nullopt;
+  const std::vector<std::string> garments = {"tshirt", "skirt"};
+  if (a.layers) return BenchScan{*a.layers, garments};
+  return make_person(folder, garments, progress);
 }
 
 void check_page(const BenchArguments& a) {
@@ -73,14 +94,9 @@ void run_bench(const BenchArguments& a, Console& console) {
   BenchOptions how;
   how.program = fs::read_symlink("/proc/self/exe");
   how.work = work.path();
-  how.garments = a.garments.empty() ? std::vector<std::string>{"skirt"} : a.garments;
   how.repeats = a.repeats, how.annealing = a.annealing, how.most_vertices = a.most_vertices;
-  if (a.scan) {
-    how.scan = *a.scan;
-    if (a.ground_truth) how.truth = {"--ground-truth", a.ground_truth->string()};
-  } else {
-    make_person(work.path() / "person", progress, how);
-  }
+  how.scan = scan_of(a, work.path() / "person", progress);
+  how.layers = layers_of(a, work.path() / "layers", progress);
   const Bench bench = run_bench(how, progress);
   write_page(a, bench);
   console.say(bench_text(bench));

@@ -115,8 +115,9 @@ struct TemplatesArguments {
 /// regarment bench [SCAN]
 struct BenchArguments {
   Speech speech;
-  std::optional<std::filesystem::path> scan;  // none: a person is made
-  std::vector<std::string> garments;          // outermost first; of a person that is made as well
+  std::optional<std::filesystem::path> scan;    // none: a person is made
+  std::vector<std::string> garments;            // outermost first; of a person that is made as well
+  std::optional<std::filesystem::path> layers;  // a T-shirt over a skirt; none: a person is made
   std::optional<std::filesystem::path> ground_truth, out;
   bool force = false, annealing = false;
   int repeats = 5;

@@ -42,15 +42,21 @@ struct Bench {
   std::vector<GrowthCurve> curves;
 };
 
-struct BenchOptions {
-  std::filesystem::path program;        // absolute: what fits the scan
-  std::filesystem::path work;           // an empty folder for what is made meanwhile
-  std::filesystem::path scan;           // a mesh or cloud
+/// What is fitted.
+struct BenchScan {
+  std::filesystem::path file;           // a mesh or cloud
   std::vector<std::string> garments;    // outermost first
   std::vector<std::string> truth = {};  // further words of each fit, such as --ground-truth FILE
-  int repeats = 5;                      // of each fit
-  bool annealing = false;               // fit by that method once as well, which takes minutes
-  double most_vertices = 1e6;           // of the largest scan that growth is shown with
+};
+
+struct BenchOptions {
+  std::filesystem::path program;    // absolute: what fits the scan
+  std::filesystem::path work;       // an empty folder for what is made meanwhile
+  BenchScan scan;                   // of all figures but one
+  std::optional<BenchScan> layers;  // of the time of a fit with several garments
+  int repeats = 5;                  // of each fit
+  bool annealing = false;           // fit by that method once as well, which takes minutes
+  double most_vertices = 1e6;       // of the largest scan that growth is shown with
 };
 
 /// Least squares of log seconds over log size; 0 for fewer than two sizes.

@@ -1,95 +1,26 @@
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/median.h"
 #include "bench/closest_point_rivals.h"
 #include "bench/measures.h"
-#include "evaluation/child_pool.h"
+#include "bench/timed_fits.h"
 #include "geometry/ply_writer.h"
-#include "report/files.h"
 #include "scan/read_sandboxed.h"
 
 namespace regarment {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
-constexpr std::size_t kMostJson = std::size_t{64} << 20U;
-constexpr double kOneGarment = 1.5, kTwoGarments = 4, kLargeScan = 4;  // s, what is aimed at
-constexpr double kMemory = 1024;                                       // MiB
-constexpr double kLarge = 9e5;                                         // vertices
-
-struct FitTimes {
-  double wall = 0, processor = 0;        // s
-  std::map<std::string, double> stages;  // s
-  std::optional<double> error_cm;        // mean over the dimensions whose truth is given
-};
-
-std::optional<double> mean_error(const Json& result) {
-  double sum = 0, n = 0;
-  for (const Json& garment : result.at("garments"))
-    for (const Json& m : garment.at("measurements"))
-      if (m.contains("error_cm") && m.at("observable").get<bool>())
-        sum += std::abs(m.at("error_cm").get<double>()), n += 1;
-  if (n == 0) return std::nullopt;
-  return sum / n;
-}
-
-/// Of all processes that have been waited for.
-double child_seconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-FitTimes fit_once(const BenchOptions& options, const fs::path& scan, const std::string& method,
-                  const Progress& progress) {
-  const fs::path out = options.work / "fit";
-  std::vector<std::string> words = {options.program.string(),
-                                    "fit",
-                                    scan.string(),
-                                    "--out",
-                                    out.string(),
-                                    "--force",
-                                    "--quiet",
-                                    "--method",
-                                    method};
-  for (const std::string& garment : options.garments)
-    words.insert(words.end(), {"--garment", garment});
-  if (scan == options.scan) words.insert(words.end(), options.truth.begin(), options.truth.end());
-  ChildEnd end;
-  const double before = child_seconds();
-  run_children(
-      {words}, {}, [&](std::size_t, const ChildEnd& how) { end = how; },
-      [&] { progress.report("fits", 0.5); });
-  if (end.status != 0) throw Error(end.status, "bench: a fit ended with: " + end.last_line);
-  const Json result = Json::parse(read_file(out / "result.json", kMostJson));
-  FitTimes times{end.seconds, child_seconds() - before, {}, mean_error(result)};
-  double all = 0;
-  for (const auto& [stage, seconds] : result.at("timing_s").items()) {
-    if (stage == "total") continue;
-    times.stages[stage] = seconds, all += seconds.get<double>();
-  }
-  times.stages["report"] = std::max(0.0, end.seconds - all);
-  return times;
-}
-
-/// MiB of the largest process that has been waited for.
-double largest_child() {
-  rusage usage{};
-  ::getrusage(RUSAGE_CHILDREN, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
+// What is aimed at.
+constexpr double kOneGarment = 1.5, kTwoGarments = 4, kRefit = 1, kLargeScan = 4;  // s
+constexpr double kReport = 0.5;                                                    // s
+constexpr double kMemory = 1024;                                                   // MiB
+constexpr double kLarge = 9e5;                                                     // vertices
+constexpr int kStarts = 20;
 
 void add_stages(const std::vector<FitTimes>& fits, Bench& bench) {
   for (const std::string stage : {"read", "prepare", "place", "measure", "report"}) {
@@ -99,7 +30,7 @@ void add_stages(const std::vector<FitTimes>& fits, Bench& bench) {
     if (all.empty()) continue;
     BenchRow row{.group = "A fit", .name = stage, .value = median(all), .unit = "s"};
     if (stage == "report")
-      row.name = "report, and what the program takes to start", row.at_most = 0.5;
+      row.name = "report, and what the program takes to start", row.at_most = kReport;
     bench.rows.push_back(row);
   }
 }
@@ -123,9 +54,9 @@ void grow(Mesh& mesh, double vertices) {
 }
 
 /// Fits of the same person with more and more vertices.
-void measure_growth(const BenchOptions& options, double first, const Progress& progress,
+void measure_growth(const BenchOptions& options, const FitTimer& timer, double first,
                     Bench& bench) {
-  Mesh mesh = read_mesh_sandboxed(options.scan, {}, progress).mesh;
+  Mesh mesh = read_mesh_sandboxed(options.scan.file).mesh;
   GrowthCurve curve{"a fit", "vertices", {}, 0};
   curve.points.push_back({static_cast<double>(mesh.positions.size()), first});
   if (mesh.is_cloud()) return;
@@ -135,7 +66,8 @@ void measure_growth(const BenchOptions& options, double first, const Progress& p
   const double factor = std::pow(options.most_vertices / curve.points[0].size, 1.0 / steps);
   for (int step = 1; step <= steps; ++step) {
     grow(mesh, curve.points[0].size * std::pow(factor, step));
-    const double seconds = fit_once(options, finer_copy(mesh, options), "joint", progress).wall;
+    const BenchScan finer{finer_copy(mesh, options), options.scan.garments};
+    const double seconds = timer.fit(finer, "joint").wall;
     curve.points.push_back({static_cast<double>(mesh.positions.size()), seconds});
   }
   if (steps > 0) {
@@ -156,44 +88,85 @@ void measure_growth(const BenchOptions& options, double first, const Progress& p
   bench.curves.push_back(std::move(curve));
 }
 
+// "from the file to the report", "two layers, to the report"
+std::string name_of(const BenchScan& scan) {
+  const std::size_t n = scan.garments.size();
+  const std::string words = "to the report";
+  if (n < 2) return "from the file " + words;
+  return (n == 2 ? "two" : std::to_string(n)) + " layers, " + words;
+}
+
+BenchRow median_row(const std::string& name, const std::vector<double>& seconds) {
+  return {.group = "A fit",
+          .name = name + ", median of " + std::to_string(seconds.size()),
+          .value = median(seconds),
+          .unit = "s"};
+}
+
+BenchRow fit_row(const BenchScan& scan, const std::vector<double>& seconds) {
+  BenchRow row = median_row(name_of(scan), seconds);
+  if (scan.garments.size() <= 2)
+    row.at_most = scan.garments.size() == 2 ? kTwoGarments : kOneGarment;
+  return row;
+}
+
+void measure_layers(const BenchOptions& options, const FitTimer& timer, Bench& bench) {
+  if (!options.layers) return;
+  std::vector<double> wall;
+  for (int i = 0; i < options.repeats; ++i)
+    wall.push_back(timer.fit(*options.layers, "joint").wall);
+  bench.rows.push_back(fit_row(*options.layers, wall));
+}
+
+void measure_start(const FitTimer& timer, Bench& bench) {
+  std::vector<double> seconds;
+  for (int i = 0; i < kStarts; ++i) seconds.push_back(timer.start());
+  BenchRow row = median_row("start of the program: regarment --version", seconds);
+  row.value *= 1e3, row.unit = "ms";
+  bench.rows.push_back(std::move(row));
+}
+
 }  // namespace
 
 void measure_fits(const BenchOptions& options, const Progress& progress, Bench& bench) {
+  double share = 0;
+  const FitTimer timer(options, [&] { progress.report("fits", share); });
   std::vector<FitTimes> fits;
-  std::vector<double> wall;
+  std::vector<double> wall, again, processor;
   for (int i = 0; i < options.repeats; ++i) {
-    progress.report("fits", static_cast<double>(i) / options.repeats);
-    fits.push_back(fit_once(options, options.scan, "joint", progress));
-    wall.push_back(fits.back().wall);
+    share = 0.5 * i / options.repeats;
+    fits.push_back(timer.fit(options.scan, "joint"));
+    wall.push_back(fits.back().wall), processor.push_back(fits.back().processor);
+    again.push_back(timer.refit());
   }
-  BenchRow all{.group = "A fit",
-               .name = "from the file to the report, median of " + std::to_string(wall.size()),
-               .value = median(wall),
-               .unit = "s",
-               .at_most = options.garments.size() > 1 ? kTwoGarments : kOneGarment};
+  BenchRow all = fit_row(options.scan, wall),
+           refit = median_row("fitted again from its state, to the report", again);
+  if (options.scan.garments.size() == 1) refit.at_most = kRefit;
   BenchRow error{.group = "A fit", .name = "mean error", .value = 0, .unit = "cm"};
   if (fits[0].error_cm) error.value = *fits[0].error_cm;
   if (options.annealing) {
-    const FitTimes other = fit_once(options, options.scan, "annealing", progress);
+    const FitTimes other = timer.fit(options.scan, "annealing");
     all.other = error.other = "annealing";
     all.other_value = other.wall, error.other_value = other.error_cm;
   }
   const double first = all.value;
-  std::vector<double> processor;
-  processor.reserve(fits.size());
-  for (const FitTimes& fit : fits) processor.push_back(fit.processor);
   bench.rows.push_back(std::move(all));
   bench.rows.push_back({.group = "A fit",
                         .name = "processor time of it, all threads",
                         .value = median(processor),
                         .unit = "s"});
   add_stages(fits, bench);
+  measure_start(timer, bench);
+  bench.rows.push_back(std::move(refit));
   if (fits[0].error_cm) bench.rows.push_back(std::move(error));
   bench.rows.push_back({.group = "A fit",
                         .name = "most memory, this scan",
                         .value = largest_child(),
                         .unit = "MiB"});
-  measure_growth(options, first, progress, bench);
+  share = 0.5;
+  measure_layers(options, timer, bench);
+  share = 0.7;
+  measure_growth(options, timer, first, bench);
   progress.report("fits", 1.0);
 }
 

@@ -46,9 +46,9 @@ std::vector<double> best_in_turn(const std::vector<std::function<void()>>& actio
 Bench run_bench(const BenchOptions& options, const Progress& progress) {
   Bench bench;
   bench.version = version();
-  bench.scan = options.scan.filename().string();
+  bench.scan = options.scan.file.filename().string();
   measure_fits(options, progress, bench);
-  const Mesh mesh = read_mesh_sandboxed(options.scan, {}, progress).mesh;
+  const Mesh mesh = read_mesh_sandboxed(options.scan.file, {}, progress).mesh;
   progress.report("parts", 0.0);
   measure_reading(mesh, bench);
   progress.report("parts", 0.2);

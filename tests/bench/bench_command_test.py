@@ -15,6 +15,8 @@ import tempfile
 from pathlib import Path
 
 PARTS = ["A fit", "Reading", "Silhouettes", "Nearest points", "Solver"]
+ROWS = {"from the file to the report": "s", "fitted again from its state": "s",
+        "two layers, to the report": "s", "start of the program": "ms"}
 CURVES = {"a fit": "vertices", "nearest points, 3 mm away": "triangles",
           "a step of the joint fit": "particles"}
 
@@ -38,6 +40,10 @@ def check_rows(rows):
             ratio = row["other_value"] / row["value"]  # of figures with four digits
             if not math.isclose(row["ratio"], ratio, rel_tol=2e-3):
                 fail(f"the ratio is not that of its figures: {row}")
+    for begin, unit in ROWS.items():
+        units = [row["unit"] for row in rows if row["name"].startswith(begin)]
+        if units != [unit]:
+            fail(f"'{begin}' has the rows {units}, not one in {unit}")
     beside = {row["other"]: row["name"] for row in rows if "other" in row}
     if set(beside) != {"annealing", "CGAL", "Eigen"}:
         fail(f"what is compared with is {sorted(beside)}")
