@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "manifest.json";
 constexpr const char* kLock = ".lock";
+// What the merge writes, the last first.
+constexpr std::array kMerge{"evaluation.json", "evaluation.html", "evaluation.csv",
+                            "measurements.csv"};
 constexpr std::size_t kMostManifestBytes = std::size_t{256} << 20U;
 constexpr std::size_t kMostStatusBytes = 64U << 10U;
 
@@ -126,6 +130,18 @@ void BatchFolder::give_back_attempt(const std::string& name) const {
     fs::resize_file(file, static_cast<std::uintmax_t>(left), ignored);
   } else {
     fs::remove(file, ignored);
+  }
+}
+
+bool BatchFolder::is_merged() const {
+  std::error_code ignored;
+  return fs::is_regular_file(place_ / kMerge[0], ignored);
+}
+
+void BatchFolder::forget_merge() const {
+  for (const char* name : kMerge) {
+    std::error_code ignored;
+    fs::remove(place_ / name, ignored);
   }
 }
 

@@ -49,6 +49,10 @@ class BatchFolder {
   /// One try less: it was no fault of the scan that it ended.
   void give_back_attempt(const std::string& name) const;
 
+  /// Whether the merge stands, and taking it away: it is of another plan.
+  bool is_merged() const;
+  void forget_merge() const;
+
   /// Writes a file of this name in one step.
   void write(const std::string& name, std::string_view bytes) const;
   /// SHA-256 of the result.json of a scan; empty when there is none.

@@ -27,6 +27,7 @@ Json scan_json(const std::string& name, const std::optional<ScanStatus>& status,
 
 BatchState batch_state(const BatchFolder& folder, const Manifest& manifest) {
   BatchState out;
+  out.merged = folder.is_merged();
   for (const BatchScan& scan : manifest.scans) {
     out.scans.push_back(folder.status(scan));
     out.attempts.push_back(folder.attempts(scan.name));
@@ -36,10 +37,13 @@ BatchState batch_state(const BatchFolder& folder, const Manifest& manifest) {
 }
 
 std::string state_line(const BatchState& state) {
+  const bool unmerged = state.ended() == state.scans.size() && !state.merged;
   return std::to_string(state.ended()) + " of " + std::to_string(state.scans.size()) +
          " scans: " + std::to_string(state.succeeded) + " succeeded, " +
          std::to_string(state.failed) + " failed, " + std::to_string(state.parked) + " parked, " +
-         std::to_string(state.scans.size() - state.ended()) + " to be done";
+         std::to_string(state.scans.size() - state.ended()) + " to be done" +
+         (unmerged ? "; not summed up yet: if nothing works on it, run 'regarment batch' again"
+                   : "");
 }
 
 std::string state_text(const Manifest& manifest, const BatchState& state) {
@@ -66,6 +70,7 @@ std::string state_json(const Manifest& manifest, const BatchState& state) {
                      {"failed", state.failed},
                      {"parked", state.parked},
                      {"to_be_done", state.scans.size() - state.ended()},
+                     {"merged", state.merged},
                      {"status", scans}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

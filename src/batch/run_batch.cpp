@@ -82,13 +82,16 @@ BatchFolder prepare_batch(const fs::path& place, const Manifest& manifest, bool 
   BatchFolder folder = BatchFolder::create(place);
   const BatchLock lock = BatchLock::whole(folder);
   const auto before = keys_of_before(folder);
+  bool stands = before.size() == manifest.scans.size();
   for (const BatchScan& scan : manifest.scans) {
     const auto known = before.find(scan.name);
     const bool same = known != before.end() && known->second == scan.key;
     const auto status = folder.status(scan);
     const bool again = retry && (!status || status->failure);
     if (!same || again) folder.forget(scan.name);
+    stands = stands && same && !again && status;
   }
+  if (!stands) folder.forget_merge();
   folder.write_manifest(json);
   return folder;
 }

@@ -160,6 +160,37 @@ TEST(Batch, DoesNotMixTwoPlans) {
   EXPECT_FALSE(fs::exists(out / "fits/skirt-1.mesh"));
 }
 
+TEST(Batch, SaysWhetherItIsSummedUp) {
+  const TemporaryFolder home;
+  const fs::path out = home.path() / "b";
+  const auto status = [&] { return run_program({"batch", "--status", out}).out; };
+  const auto merged = [&] {
+    return Json::parse(run_program({"batch", "--status", out, "--json"}).out)
+        .at("merged")
+        .get<bool>();
+  };
+  const fs::path table = home.path() / "table.csv";
+  std::ofstream(table) << "scan,template\nnone.ply,skirt\n";
+  ASSERT_EQ(run_program(batch(table, out)).status, 4);
+  EXPECT_TRUE(merged());
+  EXPECT_EQ(status().find("not summed up"), std::string::npos);
+  // Planned again as it is, it stays; Slurm may forget a merge it took.
+  const Arguments dry = {"--engine", "slurm", "--dry-run"};
+  ASSERT_EQ(run_program(batch(table, out, dry)).status, 0);
+  EXPECT_TRUE(merged());
+  fs::remove(out / "evaluation.json");
+  EXPECT_FALSE(merged());
+  EXPECT_NE(status().find("not summed up yet"), std::string::npos);
+  // The sum of one plan is none of another's.
+  ASSERT_EQ(run_program(batch(table, out)).status, 4);
+  ASSERT_EQ(
+      run_program(batch(table, out, {"--engine", "slurm", "--dry-run", "--seed", "2"})).status, 0);
+  EXPECT_FALSE(merged());
+  EXPECT_EQ(names_in(out),
+            (std::vector<std::string>{".lock", "array.sbatch", "attempts", "fits", "log",
+                                      "manifest.json", "merge.sbatch", "status", "submit.sh"}));
+}
+
 TEST(Batch, SaysWhatIsWrongBeforeAnyFit) {
   const TemporaryFolder home;
   const fs::path table = table_in(home.path()), out = home.path() / "b";
