@@ -151,6 +151,8 @@ build fuzz "${fuzzers[@]}" && run_tests fuzz -L fuzz
 [ "$full" = no ] || check "image" tests/package/image.sh
 [ "$full" = no ] || try "a batch by Slurm, killed part by part" \
   python3 tests/slurm/slurm_test.py build/release/regarment examples/data
+[ "$full" = no ] || check "a campaign by every engine, killed part by part" \
+  python3 tests/campaign/campaign_test.py build/release 500 20
 [ "$full" = no ] || check "the service killed 5 times, its workers 50" \
   python3 tests/service/chaos_test.py build/release/regarment 200 5 50
 [ "$full" = no ] || try "an exported garment as Blender's cloth" \

@@ -10,6 +10,8 @@
 //   jobs_chaos build/release/regarment 200 50 5
 //   jobs_chaos tiny 10000 100 2 sqlite
 //   jobs_chaos tiny 10000 100 2 postgres 2
+//
+// The line of "tiny" ends with one hash of all results (tests/campaign compares them).
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -28,6 +30,7 @@
 #include "jobs/job_folder.h"
 #include "jobs/job_store.h"
 #include "jobs/sqlite_database.h"
+#include "jobs/worker.h"
 #include "postgres_server.h"
 #include "support/folders.h"
 #include "tiny_work.h"
@@ -99,9 +102,10 @@ void submit(const JobFolders& folders, JobStore& store, const Plan& plan) {
   for (int i = 0; i < plan.jobs; ++i) {
     NewJob job;
     job.id = new_job_id();
-    job.kind = JobKind::Render;
-    job.idempotency_key = "job-" + std::to_string(i);
-    job.name = std::to_string(i);
+    job.kind = plan.tiny ? JobKind::Fit : JobKind::Render;
+    if (plan.tiny) job.garments = {"skirt"};
+    job.name = tiny_name(i);
+    job.idempotency_key = job.name;
     std::ofstream(folders.begin_upload(job.id) / "scan.ply")
         << (plan.tiny ? tiny_scan(i) : std::string(kScan));
     folders.accept_upload(job.id);
@@ -235,11 +239,11 @@ bool is_whole(const fs::path& result) {
 }
 
 bool is_right(const Plan& plan, const fs::path& result, const Job& job) {
-  return plan.tiny ? is_tiny_result(result, std::stoi(job.name)) : is_whole(result);
+  return plan.tiny ? is_tiny_result(result, tiny_number(job.name)) : is_whole(result);
 }
 
 struct Count {
-  std::set<std::string> names;  // of the jobs that succeeded with the right result
+  std::map<std::string, fs::path> right;  // of the jobs that succeeded with the right result
   int ended = 0, succeeded = 0, twice = 0, broken = 0, attempts = 0;
 };
 
@@ -255,9 +259,10 @@ Count count(const Plan& plan, const JobFolders& folders, JobStore& store) {
       out.succeeded += job.state == JobState::Succeeded ? 1 : 0;
       out.twice += successes > 1 ? 1 : 0;
       if (job.state == JobState::Succeeded) {
-        const bool right = is_right(plan, folders.result(job), job);
+        const fs::path result = folders.result(job);
+        const bool right = is_right(plan, result, job);
         out.broken += right ? 0 : 1;
-        if (right) out.names.insert(job.name);
+        if (right) out.right[job.name] = result;
       }
       out.attempts += static_cast<int>(job.token);
     }
@@ -295,12 +300,13 @@ int run(Plan plan) {
   const bool sound = plan.postgres || is_sound(folders.default_store());
   std::printf(
       "%s, %d jobs in %.0f s: %d ended, %d succeeded, %d lost, %d twice, %d broken; %d workers, %d "
-      "owners and %d stores killed, %d attempts; store %s\n",
+      "owners and %d stores killed, %d attempts; store %s%s\n",
       plan.postgres ? "postgres" : "sqlite", plan.jobs, took.count(), found.ended, found.succeeded,
-      plan.jobs - static_cast<int>(found.names.size()), found.twice, found.broken, kills.workers,
-      kills.owners, kills.stores, found.attempts, sound ? "sound" : "damaged");
+      plan.jobs - static_cast<int>(found.right.size()), found.twice, found.broken, kills.workers,
+      kills.owners, kills.stores, found.attempts, sound ? "sound" : "damaged",
+      plan.tiny ? ("; results " + tiny_digest(found.right)).c_str() : "");
   const bool good = sound && found.ended == plan.jobs && found.succeeded == plan.jobs &&
-                    found.names.size() == static_cast<std::size_t>(plan.jobs) && found.twice == 0 &&
+                    found.right.size() == static_cast<std::size_t>(plan.jobs) && found.twice == 0 &&
                     found.broken == 0 && kills.workers >= plan.worker_kills &&
                     kills.owners >= plan.owner_kills && kills.stores >= plan.store_kills;
   return good ? 0 : 1;
