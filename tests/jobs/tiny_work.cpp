@@ -69,7 +69,7 @@ std::string right_result(int job) {
 }  // namespace
 
 fs::path write_tiny_program(const fs::path& folder) {
-  const fs::path program = folder / "tiny";
+  fs::path program = folder / "tiny";
   std::ofstream(program) << kScript;
   fs::permissions(program, fs::perms::owner_all);
   std::ofstream(folder / "tiny.result.json") << marked(result_json(marked_result()));
