@@ -35,6 +35,9 @@ endif()
 install(TARGETS regarment RUNTIME COMPONENT program)
 install(DIRECTORY ${REGARMENT_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT program)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES examples/data/skirt-1.mesh.ply examples/data/skirt-1.mesh.labels.u8
+  examples/data/ground_truth.csv examples/data/LICENSE-CC0.txt
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
 # The way from a file to an Analysis.

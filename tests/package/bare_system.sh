@@ -1,6 +1,6 @@
 #!/bin/bash
-# Installs the Debian package on a bare Debian 12 (mmdebstrap, as root) and fits the example scan
-# there, with nothing on it but what the package asks for. Prints how large the package is and what
+# Installs the Debian package on a bare Debian 12 (mmdebstrap, as root) and fits its example there,
+# with nothing on it but what the package holds and asks for. Prints how large the package is and what
 # it draws in.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -14,10 +14,12 @@ cpack --config build/release/CPackConfig.cmake -B "$folder" >/dev/null
 package=$(ls "$folder"/*.deb)
 mmdebstrap --variant=minbase --quiet bookworm "$folder/root" "$mirror"
 before=$(du -sm "$folder/root" | cut -f1)
-cp "$package" examples/data/skirt-1.mesh.ply "$folder/root/tmp"
+cp "$package" "$folder/root/tmp"
 chroot "$folder/root" apt-get update -qq
 chroot "$folder/root" apt-get install -y -qq --no-install-recommends "/tmp/$(basename "$package")" >/dev/null
 chroot "$folder/root" apt-get clean
-chroot "$folder/root" regarment fit /tmp/skirt-1.mesh.ply --garment skirt --out /tmp/skirt-1 --quiet
+examples=/usr/share/doc/regarment/examples
+chroot "$folder/root" regarment fit "$examples/skirt-1.mesh.ply" --garment skirt --out /tmp/skirt-1 --quiet \
+  --ground-truth "$examples/ground_truth.csv" --ground-truth-labels "$examples/skirt-1.mesh.labels.u8"
 test -s "$folder/root/tmp/skirt-1/report.html"
 echo "package $(stat -c %s "$package") bytes; on a bare system $(( $(du -sm "$folder/root" | cut -f1) - before )) MB with all it needs"
