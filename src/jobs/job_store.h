@@ -109,7 +109,10 @@ class JobStore {
   virtual std::uint64_t bytes_of(std::string_view owner) = 0;
   /// Jobs of one owner that have not ended.
   virtual std::uint64_t open_jobs_of(std::string_view owner) = 0;
+  /// Looks at every job; what is asked often has `queued_jobs`.
   virtual QueueFacts facts() = 0;
+  /// How many jobs are queued, counted up to `most` and at the cost of these alone.
+  virtual std::uint64_t queued_jobs(std::uint64_t most) = 0;
   /// Throws TemporaryError unless something can be written now.
   virtual void check_writable() = 0;
   virtual int schema_version() = 0;

@@ -207,10 +207,10 @@ std::uint64_t SqlJobStore::bytes_of(std::string_view owner) {
 
 std::uint64_t SqlJobStore::open_jobs_of(std::string_view owner) {
   const Lock lock(read_mutex_);
-  // coalesce: the index of the owner is the better one.
+  // coalesce: the index of the state is the better one, for jobs that have ended pile up.
   SqlStatement row(
       *reader_,
-      "SELECT count(*) FROM jobs WHERE owner = ? AND coalesce(state, '') IN ('queued', 'running')",
+      "SELECT count(*) FROM jobs WHERE coalesce(owner, '') = ? AND state IN ('queued', 'running')",
       owner);
   row.step();
   return static_cast<std::uint64_t>(row.integer(0));
@@ -229,6 +229,15 @@ QueueFacts SqlJobStore::facts() {
     facts.bytes += static_cast<std::uint64_t>(row.integer(3));
   }
   return facts;
+}
+
+std::uint64_t SqlJobStore::queued_jobs(std::uint64_t most) {
+  const Lock lock(read_mutex_);
+  SqlStatement row(
+      *reader_,
+      "SELECT count(*) FROM (SELECT 1 FROM jobs WHERE state = 'queued' LIMIT ?) AS waiting", most);
+  row.step();
+  return static_cast<std::uint64_t>(row.integer(0));
 }
 
 void SqlJobStore::check_writable() {

@@ -28,6 +28,7 @@ class SqlJobStore : public JobStore {
   std::uint64_t bytes_of(std::string_view owner) override;
   std::uint64_t open_jobs_of(std::string_view owner) override;
   QueueFacts facts() override;
+  std::uint64_t queued_jobs(std::uint64_t most) override;
   void check_writable() override;
   int schema_version() override;
   JobTime time() override { return clock_ ? clock_() : writer_->now(); }

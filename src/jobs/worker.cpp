@@ -61,9 +61,7 @@ class Pulse {
   std::optional<Clock::time_point> last_;
 };
 
-bool nothing_waits(JobStore& store) {
-  return store.facts().jobs[static_cast<std::size_t>(JobState::Queued)] == 0;
-}
+bool nothing_waits(JobStore& store) { return store.queued_jobs(1) == 0; }
 
 }  // namespace
 

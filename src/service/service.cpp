@@ -49,8 +49,7 @@ void check_room(const Service& service, const std::string& owner) {
   const ServiceConfig& config = service.config;
   if (service.folders.free_bytes() < config.min_free_mb * kMega)
     throw HttpProblem(507, "no_space", "the disk of the service is nearly full; try again later");
-  const auto queued = static_cast<std::size_t>(JobState::Queued);
-  if (service.store.facts().jobs[queued] >= config.max_queue)
+  if (service.store.queued_jobs(config.max_queue) >= config.max_queue)
     throw HttpProblem(429, "queue_full", "the queue is full; try again later",
                       {{"Retry-After", "30"}});
   if (owner.empty()) return;

@@ -218,6 +218,15 @@ TEST_F(JobStoreTest, TakesAVerdictBackAndSaysSoOnce) {
   EXPECT_EQ(store_->find(id)->review->note, "");
 }
 
+TEST_F(JobStoreTest, CountsTheQueueNoFurtherThanAsked) {
+  EXPECT_EQ(store_->queued_jobs(3), 0U);
+  for (int i = 0; i < 5; ++i) queue();
+  EXPECT_EQ(store_->queued_jobs(3), 3U);
+  EXPECT_EQ(store_->queued_jobs(5), 5U);
+  ASSERT_TRUE(store_->claim("w", kLease, kAttempts));
+  EXPECT_EQ(store_->queued_jobs(1000), 4U);
+}
+
 TEST_F(JobStoreTest, CountsAndSumsPerStateAndOwner) {
   NewJob job;
   job.owner = "a", job.bytes = 10;
@@ -235,6 +244,7 @@ TEST_F(JobStoreTest, CountsAndSumsPerStateAndOwner) {
   EXPECT_EQ(count(JobState::Cancelled), 1U);
   EXPECT_EQ(facts.oldest_queued, time_.now());
   EXPECT_EQ(facts.bytes, 410U);
+  EXPECT_EQ(store_->queued_jobs(10), 1U);
   EXPECT_EQ(store_->bytes_of("b"), 400U);
   EXPECT_EQ(store_->open_jobs_of("b"), 1U);
   EXPECT_EQ(store_->open_jobs_of("a"), 1U);

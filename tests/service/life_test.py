@@ -59,4 +59,13 @@ with tempfile.TemporaryDirectory() as folder:
         own = {"Origin": f"http://127.0.0.1:{service.port}", "Sec-Fetch-Site": "same-origin"}
         got, _, _ = service.ask("POST", f"/v1/jobs/{job}/cancel", headers=own)
         expect(got == 202, f"its own page was refused: {got}")
+
+# A queue takes no more than it may, and again once there is room.
+with Service("--workers", "0", REGARMENT_MAX_QUEUE="2") as service:
+    answers = [service.ask("POST", "/v1/jobs", *scan_form()) for _ in range(3)]
+    expect([status for status, _, _ in answers] == [202, 202, 429], "not two jobs and a full queue")
+    expect(json.loads(answers[2][2]).get("code") == "queue_full", f"not full: {answers[2][2]}")
+    service.ask("POST", f"/v1/jobs/{json.loads(answers[0][2])['id']}/cancel")
+    status, _, body = service.ask("POST", "/v1/jobs", *scan_form())
+    expect(status == 202, f"there is room again: {status} {body}")
 finish(failures)
