@@ -1,185 +1,146 @@
 #!/usr/bin/python3
-"""What a campaign of many scans needs, from what was measured on this machine.
+"""What a campaign of many scans needs, from what is measured on this machine.
 
-    capacity.py check PROGRAM [--jobs 10000] [--workers 2]
-        Measures tiny jobs with one worker, says by simulation how long JOBS of them take with WORKERS,
-        then runs them and prints both. The jobs are boxes, which a fit turns down as no person.
-    capacity.py plan EVALUATION [--store-rate N] [--disk MB/s] [--network MB/s]
-        From the times and sizes of an evaluation's fits (`regarment evaluate`): hours, bytes and what
-        is full first, for 10,000 and for 10 million scans and growing numbers of workers.
+    capacity.py measure PROGRAM --out MEASURED.json [--quick]
+        Seconds and bytes of fits, what store, disk, folders and HTTP give, and a real run of ten
+        thousand tiny jobs beside its prediction: 25 minutes of a machine with nothing else to do,
+        and 5 GB of the temporary folder (TMPDIR), whose disk is the one that is measured.
+    capacity.py page MEASURED.json --out PAGE.html [--network MB/s]
+        Hours, bytes and what is full first for ten thousand and ten million scans: a page, and the
+        main figures as text.
+    capacity.py check PROGRAM [--jobs 10000] [--workers 1 2]
+        The prediction and the real run alone.
 
-The queue in both: workers take the next job when they are free; every job costs the store a time of
-its own in which it serves nobody else, when it is submitted, taken and ended.
+Tiny jobs are scans of three points, which a fit turns down: all of a job but the fit itself.
 """
 import argparse
-import heapq
 import json
 import os
-import random
 import statistics
+import subprocess
 import sys
-import time
+import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "service"))
+import capacity_fits as fits
+import capacity_machine as machine
+import capacity_service as service
+from capacity_page import write_page
+from capacity_plan import Plan, StoreRates, predict_tiny
 
-
-def simulate(jobs, workers, service, pause, store, seed=1):
-    """Seconds until `jobs`, all there at the start, are done. `service`: seconds of jobs seen, drawn
-    from with replacement; `pause`: a worker's own seconds between two; `store`: the store's for each."""
-    draw = random.Random(seed)
-    store_free, end = 0.0, 0.0
-    free = [(0.0, worker) for worker in range(workers)]
-    heapq.heapify(free)
-    for _ in range(jobs):
-        now, worker = heapq.heappop(free)
-        store_free = max(now, store_free) + store
-        done = store_free + draw.choice(service)
-        end = max(end, done)
-        heapq.heappush(free, (done + pause, worker))
-    return end
+FORMAT = "regarment.capacity/1"
+FULL = {"sizes": (4000, 16000, 62500, 250000, 1000000), "people": 12, "store_jobs": 4000,
+        "disk": 1000 * machine.MEGA, "folders": (1000, 10_000, 100_000), "uploads": 10,
+        "filled": (1000, 100_000, 1_000_000), "sample": 300, "jobs": 10_000}
+QUICK = {"sizes": (4000, 16000), "people": 2, "store_jobs": 200, "disk": 100 * machine.MEGA,
+         "folders": (1000, 3000), "uploads": 2, "filled": (200, 5000), "sample": 30, "jobs": 60}
 
 
-# -- check ---------------------------------------------------------------------------------------
-
-BOX = b"""ply
-format ascii 1.0
-element vertex 8
-property float x
-property float y
-property float z
-element face 12
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-1 1 0
-0 0 2
-1 0 2
-0 1 2
-1 1 2
-3 0 2 1
-3 1 2 3
-3 4 5 6
-3 5 7 6
-3 0 1 4
-3 1 5 4
-3 2 6 3
-3 3 6 7
-3 0 4 2
-3 2 4 6
-3 1 3 5
-3 3 7 5
-"""
+def say(words):
+    print(words, file=sys.stderr, flush=True)
 
 
-def jobs_in(data):
-    """Seconds at which each job was begun and ended, from the store, in the order they began."""
-    import sqlite3
-    with sqlite3.connect(f"file:{data}/store.sqlite3?mode=ro", uri=True) as store:
-        rows = store.execute("SELECT started, ended FROM jobs WHERE ended IS NOT NULL").fetchall()
-    return sorted((begun / 1000, over / 1000) for begun, over in rows)
+def benchmark_beside(program):
+    path = os.path.join(os.path.dirname(os.path.abspath(program)), "queue_benchmark")
+    if not os.access(path, os.X_OK):
+        raise SystemExit(f"{path}: is not there; build the target queue_benchmark")
+    return path
 
 
-def run_tiny(program, jobs, workers):
-    """Begin and end of all jobs, submitted before the first worker starts, and seconds a submission."""
-    from running_service import Service, form
-    import subprocess
-    sys.argv[1] = program
-    limits = {"REGARMENT_MAX_QUEUE": "100000", "REGARMENT_MAX_JOBS_PER_KEY": "100000"}
-    with Service("--workers", "0", **limits) as service:
-        began = time.monotonic()
-        for _ in range(jobs):
-            body, headers = form({"scan": ("scan.ply", BOX), "garments": '["skirt"]'})
-            status, _, answer = service.ask("POST", "/v1/jobs", body, headers)
-            if status != 202:
-                raise SystemExit(f"a job was turned down: {status} {answer}")
-        each = (time.monotonic() - began) / jobs
-        command = [program, "worker", "--data", service.data, "--quiet"]
-        hands = [subprocess.Popen(command) for _ in range(workers)]
-        try:
-            while len(done := jobs_in(service.data)) < jobs:
-                time.sleep(1)
-        finally:
-            for hand in hands:
-                hand.terminate()
-            for hand in hands:
-                hand.wait()
-        return done, each
+def checked(program, runs, sample, rates):
+    """Real runs of tiny jobs beside what a few of them with one worker let expect."""
+    done, notes = service.run_tiny(program, sample, 1)
+    took, pause = service.service_and_pause(done)
+    found = {"sample": sample, "job_s": statistics.mean(took), "pause_s": pause, "runs": []}
+    for jobs, workers in runs:
+        crowd = 1.0
+        if workers > 1:
+            with tempfile.TemporaryDirectory(prefix="regarment-capacity-") as work:
+                crowd = fits.crowding(program, work, service.TINY, workers, sample)
+        predicted = predict_tiny(jobs, workers, [crowd * seconds for seconds in took], pause, rates,
+                                 round(notes))
+        done, _ = service.run_tiny(program, jobs, workers)
+        real = max(ended for _, ended in done) - done[0][0]
+        found["runs"].append({"jobs": jobs, "workers": workers, "crowding": crowd,
+                              "predicted_s": predicted, "taken_s": real})
+        print(f"{workers} workers, {jobs} tiny jobs: predicted {predicted:.1f} s, took {real:.1f} "
+              f"s (ratio {real / predicted:.3f}), {jobs / real:.1f} jobs/s", flush=True)
+    return found
 
 
 def check(options):
-    sample, submission = run_tiny(options.program, min(options.jobs, 300), 1)
-    service = [over - begun for begun, over in sample]
-    pauses = [sample[i + 1][0] - sample[i][1] for i in range(len(sample) - 1)]
-    pause = statistics.mean(pauses)
-    predicted = simulate(options.jobs, options.workers, service, pause, options.store)
-    done, _ = run_tiny(options.program, options.jobs, options.workers)
-    real = done[-1][1] - done[0][0]
-    print(f"one worker, {len(sample)} jobs: {1e3 * statistics.mean(service):.1f} ms a job, "
-          f"{1e3 * pause:.1f} ms between two, {1e3 * submission:.1f} ms a submission over HTTP")
-    print(f"{options.workers} workers, {options.jobs} jobs: predicted {predicted:.0f} s, "
-          f"took {real:.0f} s ({real / predicted:.2f}), {options.jobs / real:.1f} jobs/s")
+    rates = machine.stores(benchmark_beside(options.program), 1000, 8, 2)["sqlite"]
+    checked(options.program, [(options.jobs, workers) for workers in options.workers],
+            min(options.jobs, FULL["sample"]), StoreRates("sqlite", rates))
 
 
-# -- plan ----------------------------------------------------------------------------------------
+def measure(options):
+    how, program = QUICK if options.quick else FULL, os.path.abspath(options.program)
+    benchmark = benchmark_beside(program)
+    folder = os.path.dirname(os.path.abspath(options.out))
+    if not os.access(folder, os.W_OK):
+        raise SystemExit(f"{folder}: cannot be written to; name another --out")
+    version = subprocess.run([program, "--version"], check=True, stdout=subprocess.PIPE)
+    with tempfile.TemporaryDirectory(prefix="regarment-capacity-") as work:
+        found = {"format": FORMAT, "program": version.stdout.decode().strip(),
+                 "quick": options.quick, "machine": machine.machine(work)}
+        say("fits by size")
+        found["growth"] = fits.growth(program, work, how["sizes"])
+        say("made people")
+        found["people"] = fits.people(program, work, how["people"])
+        say("a job of the service, uploads")
+        found["job"] = service.real_job(program)
+        largest = os.path.join(work, f"mesh-{how['sizes'][-1]}.ply")
+        found["upload"] = service.uploads(program, largest, how["uploads"])
+        say("stores")
+        found["stores"] = machine.stores(benchmark, how["store_jobs"], 8, found["job"]["notes"])
+        say("stores that are full of jobs")
+        found["filled"] = service.filled(program, how["filled"])
+        say("disk and folders")
+        found["disk"] = machine.disk(work, how["disk"])
+        found["folders"] = [machine.folders(work, count) for count in how["folders"]]
+        found["folders"].append(machine.folders(work, how["folders"][-1], shards=256))
+    say("tiny jobs")
+    runs = [(how["jobs"] // 5, 1), (how["jobs"], 2)]
+    rates = StoreRates("sqlite", found["stores"]["sqlite"])
+    found["check"] = checked(program, runs, how["sample"], rates)
+    with open(options.out, "w", encoding="utf-8") as file:
+        json.dump(found, file, indent=1)
+        file.write("\n")
+    print(options.out)
 
-def folder_bytes(folder):
-    return sum(os.path.getsize(os.path.join(path, name))
-               for path, _, names in os.walk(folder) for name in names)
 
-
-def plan(options):
-    with open(os.path.join(options.evaluation, "evaluation.json"), encoding="utf-8") as file:
-        scans = json.load(file)["scans"]
-    seconds = [scan["seconds"] for scan in scans if scan.get("seconds")]
-    folders = [os.path.join(options.evaluation, scan["fit"]) for scan in scans if scan.get("fit")]
-    sizes = [folder_bytes(folder) for folder in folders if os.path.isdir(folder)]
-    # The uploaded scan is about as large as its copy with labels.
-    uploads = [os.path.getsize(path) for folder in folders
-               if os.path.exists(path := os.path.join(folder, "segmented.ply"))]
-    mean, kept, sent = map(statistics.mean, (seconds, sizes, uploads))
-    print(f"{len(seconds)} fits: {mean:.2f} s (median {statistics.median(seconds):.2f}, "
-          f"95th percentile {sorted(seconds)[int(0.95 * len(seconds))]:.2f}), result {kept / 1e6:.1f} MB, "
-          f"scan {sent / 1e6:.1f} MB")
-    full = {"store": mean * options.store_rate,
-            "disk": mean * options.disk * 1e6 / (kept + 2 * sent),
-            "network": mean * options.network * 1e6 / (kept + sent)}
-    first = min(full, key=full.get)
-    print("workers at which each is full: " +
-          ", ".join(f"{name} {workers:,.0f}" for name, workers in sorted(full.items(), key=lambda x: x[1])))
-    print(f"{'scans':>12} {'workers':>8} {'hours':>10} {'TB kept':>9} {'scans/s':>9}  full")
-    for jobs in (10_000, 10_000_000):
-        for workers in (2, 16, 128, 1024, 8192):
-            # Ten million draws tell no more than the mean does.
-            if jobs <= 10_000:
-                took = simulate(jobs, workers, seconds, 0, 1 / options.store_rate)
-            else:
-                took = jobs * max(mean / workers, 1 / options.store_rate)
-            took = max(took, jobs * mean / full["disk"], jobs * mean / full["network"])
-            note = first if workers > full[first] else ""
-            print(f"{jobs:>12,} {workers:>8,} {took / 3600:>10.2f} {jobs * (kept + sent) / 1e12:>9.2f} "
-                  f"{jobs / took:>9.1f}  {note}")
+def page(options):
+    with open(options.measured, encoding="utf-8") as file:
+        measured = json.load(file)
+    if measured.get("format") != FORMAT:
+        raise SystemExit(f"{options.measured}: is no file of capacity.py measure")
+    write_page(Plan(measured, options.network * machine.MEGA), options.out)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    kinds = parser.add_subparsers(required=True, metavar="check|plan")
+    kinds = parser.add_subparsers(required=True, metavar="measure|page|check")
+    kind = kinds.add_parser("measure")
+    kind.add_argument("program")
+    kind.add_argument("--out", required=True)
+    kind.add_argument("--quick", action="store_true", help="a few minutes, for a try")
+    kind.set_defaults(work=measure)
+    kind = kinds.add_parser("page")
+    kind.add_argument("measured")
+    kind.add_argument("--out", required=True)
+    kind.add_argument("--network", type=float, default=110, help="MB/s; 110 is a gigabit line")
+    kind.set_defaults(work=page)
     kind = kinds.add_parser("check")
     kind.add_argument("program")
     kind.add_argument("--jobs", type=int, default=10_000)
-    kind.add_argument("--workers", type=int, default=2)
-    kind.add_argument("--store", type=float, default=0.001, help="seconds of the store, a job")
+    kind.add_argument("--workers", type=int, nargs="+", default=[1, 2])
     kind.set_defaults(work=check)
-    kind = kinds.add_parser("plan")
-    kind.add_argument("evaluation")
-    kind.add_argument("--store-rate", type=float, default=1000, help="jobs/s through the store")
-    kind.add_argument("--disk", type=float, default=500, help="MB/s it writes")
-    kind.add_argument("--network", type=float, default=110, help="MB/s; 110 is a gigabit line")
-    kind.set_defaults(work=plan)
     options = parser.parse_args()
-    options.work(options)
+    try:
+        options.work(options)
+    except (OSError, json.JSONDecodeError) as error:
+        raise SystemExit(f"capacity.py: {error}") from error
 
 
 if __name__ == "__main__":
