@@ -227,7 +227,7 @@ class Page:
             "This is not measured; --network sets it. Each scan goes over it twice, to the server "
             "and on to a worker, its result once.",
             f"Scans are like the {len(self.plan.fits)} made people measured here; larger ones cost "
-            "more by the laws below.",
+            "more by the laws above.",
             f"All machines are like this one and run as many workers as cores, {cores} each, of one "
             "thread.",
             "One disk and one store serve all. A scan and its result are written once; what was just "
