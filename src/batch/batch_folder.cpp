@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "evaluation/fit_job.h"
 #include "report/files.h"
 
 namespace regarment {

@@ -1,11 +1,6 @@
 #include "evaluation/fit_job.h"
 
-#include <array>
-#include <fstream>
-#include <span>
-
 #include "base/error.h"
-#include "base/sha256.h"
 #include "report/files.h"
 #include "report/result.h"
 #include "report/version.h"
@@ -84,15 +79,5 @@ bool is_finished(const FitJob& job, const EvaluationCase& one) {
 }
 
 void mark_finished(const FitJob& job) { write_file(job.folder / kKeyFile, job.key); }
-
-std::string file_sha256(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Sha256 sha;
-  std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    sha.add(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(stream.gcount()))));
-  }
-  return stream.eof() ? sha.hex() : "";
-}
 
 }  // namespace regarment

@@ -38,7 +38,4 @@ bool is_finished(const FitJob& job, const EvaluationCase& one);
 /// Notes in the folder of a fit that just succeeded what it depends on.
 void mark_finished(const FitJob& job);
 
-/// SHA-256 of a file, hexadecimal; empty when it cannot be read.
-std::string file_sha256(const std::filesystem::path& file);
-
 }  // namespace regarment

@@ -8,9 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
+#include "base/sha256.h"
 
 namespace regarment {
 namespace {
@@ -87,6 +90,16 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes) {
   const int why = error.value();
   std::filesystem::remove(hidden, error);
   throw_write_error(path, why);
+}
+
+std::string file_sha256(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Sha256 sha;
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    sha.add(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(stream.gcount()))));
+  }
+  return stream.eof() ? sha.hex() : "";
 }
 
 void throw_write_error(const std::filesystem::path& file, int error) {

@@ -19,6 +19,9 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// before. One writer at a time. Throws as `write_file` does.
 void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// SHA-256 of a file, hexadecimal; empty when it cannot be read.
+std::string file_sha256(const std::filesystem::path& file);
+
 /// Throws what `write_file` throws for this `errno`, about `file`.
 [[noreturn]] void throw_write_error(const std::filesystem::path& file, int error);
 

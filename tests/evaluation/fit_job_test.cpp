@@ -4,7 +4,6 @@
 
 #include <fstream>
 
-#include "base/sha256.h"
 #include "evaluations.h"
 #include "support/folders.h"
 
@@ -94,14 +93,6 @@ TEST(FitJob, IsNotFinishedWithoutAResult) {
   EXPECT_FALSE(is_finished(job, one()));
   std::ofstream(job.folder / "result.json") << "{}";
   EXPECT_FALSE(is_finished(job, one()));
-}
-
-TEST(FileSha256, IsThatOfTheBytes) {
-  const TemporaryFolder home;
-  const std::string text(200'000, 'r');
-  std::ofstream(home.path() / "f") << text;
-  EXPECT_EQ(file_sha256(home.path() / "f"), sha256_hex(std::as_bytes(std::span(text))));
-  EXPECT_EQ(file_sha256(home.path() / "none"), "");
 }
 
 }  // namespace
