@@ -25,6 +25,9 @@ const schemaFaults = async (api) => {
 
 const at = (api, ref) => ref.slice(2).split('/').reduce((node, name) => node?.[name.replaceAll('~1', '/').replaceAll('~0', '~')], api);
 
+// All others look into the store, if only for the caller's key.
+const kWithoutStore = ['/healthz', '/version', '/openapi.json'];
+
 const operationsOf = (api) => Object.entries(api.paths).flatMap(([path, item]) =>
   kMethods.filter((method) => item[method]).map((method) => ({ path, method, ...item[method] })));
 
@@ -59,6 +62,7 @@ const nameFaults = (api) => {
     const inBraces = [...path.matchAll(/\{([^}]+)\}/g)].map(([, name]) => name);
     if (inPath.sort().join() !== inBraces.sort().join()) faults.push(`${where} describes the parameters ${inPath}, not ${inBraces}`);
     if (!Object.keys(responses).some((status) => /^[23]/.test(status))) faults.push(`${where} describes no success`);
+    if (!kWithoutStore.includes(path) && !responses['503']) faults.push(`${where} does not say what it answers while the store is away`);
   }
   return faults;
 };
@@ -71,6 +75,7 @@ const kBroken = [
   ['a member nobody knows', schemaFaults, (api) => { api.paths['/healthz'].get.answers = {}; }],
   ['a reference to nothing', nameFaults, (api) => { api.paths['/v1/jobs'].get.responses['400'] = { $ref: '#/components/responses/None' }; }],
   ['two of one id', nameFaults, (api) => { api.paths['/healthz'].get.operationId = 'listJobs'; }],
+  ['no answer while the store is away', nameFaults, (api) => { delete api.paths['/v1/jobs'].get.responses['503']; }],
   ['a path without its parameter', nameFaults, (api) => { api.paths['/v1/jobs/{id}'].get.parameters = []; }],
 ];
 let failed = false;
