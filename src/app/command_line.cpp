@@ -239,9 +239,11 @@ Command parse_command_line(int argc, const char* const* argv) {
       add_command(app, "key", "Add, list or revoke API keys of the service", key, add_key_options);
   CLI::App* config_app =
       add_command(app, "config", "Check the service's config", config, add_config_options);
-  CLI::App* doctor_app = add_command(
-      app, "doctor", "Look at what the service stands on", doctor,
-      [](CLI::App& command, DoctorArguments& a) { add_place_options(command, a.place); });
+  CLI::App* doctor_app = add_command(app, "doctor", "Look at what the service stands on", doctor,
+                                     [](CLI::App& command, DoctorArguments& a) {
+                                       add_place_options(command, a.place);
+                                       add_server_option(command, a.place);
+                                     });
   CLI::App* bench_app = add_command(app, "bench", "Show how fast this program is on this machine",
                                     bench, add_bench_options);
   std::string shell;

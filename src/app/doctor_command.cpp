@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/one_line.h"
 #include "garment/find_template.h"
+#include "jobs/server_files.h"
 #include "jobs/worker.h"
 #include "render/context.h"
 #include "report/version.h"
@@ -82,6 +83,14 @@ std::string workers(const ServiceConfig& config) {
   return std::to_string(alive) + (alive == 1 ? " lives" : " live");
 }
 
+std::string server(const ServiceConfig& config) {
+  const FileServer server = file_server(config);
+  HttpClient client(server.address, server.client);
+  const std::string there = server_version(client, [] { return true; });
+  return server.address.text() + " takes the key, version " + there +
+         (there == version() ? "" : " (this is " + version() + ")");
+}
+
 std::vector<Part> look_at_all(const ServicePlace& place) {
   ServiceConfig config;
   std::vector<Part> parts;
@@ -96,6 +105,7 @@ std::vector<Part> look_at_all(const ServicePlace& place) {
   parts.push_back(look_at("disk", [&] { return disk(config); }));
   parts.push_back(look_at("store", [&] { return store(config); }));
   parts.push_back(look_at("workers", [&] { return workers(config); }));
+  if (!config.server.empty()) parts.push_back(look_at("server", [&] { return server(config); }));
   return parts;
 }
 

@@ -60,8 +60,10 @@ ServerOptions server_options(const ServiceConfig& config) {
 }
 
 // The store goes by the environment: its address may hold a password, and everybody sees words.
+// Workers at the server's side share its folder, whatever a config for many machines says.
 std::vector<std::string> worker_command(const ServeArguments& a, const ServiceConfig& config) {
   ::setenv("REGARMENT_STORE", config.store_or_default().c_str(), 1);
+  ::setenv("REGARMENT_SERVER", "", 1);
   std::vector<std::string> out = {fs::read_symlink("/proc/self/exe").string(), "worker", "--data",
                                   fs::absolute(config.data).string()};
   if (a.place.config) out.insert(out.end(), {"--config", a.place.config->string()});

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "base/error.h"
 #include "base/one_line.h"
+#include "jobs/server_files.h"
 #include "jobs/worker.h"
 
 namespace regarment {
@@ -63,21 +64,39 @@ void list_keys(JobStore& store, Console& console) {
   for (const ApiKey& key : store.keys()) console.answer(key_line(key) + "\n");
 }
 
+std::unique_ptr<JobFiles> files_of(const ServiceConfig& config, Console& console) {
+  if (config.server.empty()) return std::make_unique<SharedFiles>(JobFolders(config.data));
+  if (config.store.empty())
+    throw UsageError(
+        "--server: name the job store as well, with --store or REGARMENT_STORE; the server's own "
+        "lies where only it reaches");
+  FileServer server = file_server(config);
+  if (!server.address.tls && !server.address.is_loopback())
+    console.complain("warning: " + server.address.text() +
+                     " is not encrypted: others on the network can read scans and the key; give an "
+                     "https address, or use a network of your own");
+  return std::make_unique<ServerFiles>(std::move(server), config.data);
+}
+
 }  // namespace
 
 void run_worker_command(const WorkerArguments& a, Console& console, const StopSignal& stop) {
   const ServiceConfig config = read_config_of(a.place).config;
-  const JobFolders folders(config.data);
+  const auto files = files_of(config, console);
   const auto store = open_job_store(config.store_or_default());
-  ::unsetenv("REGARMENT_STORE");  // no fit needs to know its password
+  // No fit needs to know these.
+  ::unsetenv("REGARMENT_STORE");
+  ::unsetenv("REGARMENT_SERVER_KEY");
   WorkerOptions options = WorkerOptions::from(config);
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   if (a.threads) options.threads = *a.threads;
   options.until_empty = a.until_empty;
   // Asked to stop, it hands its job back; only then is it too late.
   stop.allow(options.grace + std::chrono::seconds(5));
+  const auto wanted = [&] { return !stop.asked(); };
+  files->check(wanted);
   console.say("worker ready");
-  run_worker(*store, folders, options, [&] { return !stop.asked(); });
+  run_worker(*store, *files, options, wanted);
 }
 
 void run_key(const KeyArguments& a, Console& console) {

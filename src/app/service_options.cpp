@@ -21,6 +21,13 @@ void add_place_options(CLI::App& command, ServicePlace& place) {
                      "store.sqlite3 in the folder by default");
 }
 
+void add_server_option(CLI::App& command, ServicePlace& place) {
+  command.add_option(
+      "--server", place.server,
+      "Server that has the files of the jobs, http://HOST:PORT or https://HOST, where "
+      "--data is not shared with it; its key is REGARMENT_SERVER_KEY");
+}
+
 void add_serve_options(CLI::App& command, ServeArguments& a) {
   add_place_options(command, a.place);
   command.add_option("--port", a.port, "Port; 0 for any that is free")->check(CLI::Range(0, 65535));
@@ -31,6 +38,7 @@ void add_serve_options(CLI::App& command, ServeArguments& a) {
 
 void add_worker_options(CLI::App& command, WorkerArguments& a) {
   add_place_options(command, a.place);
+  add_server_option(command, a.place);
   command.add_option("--threads", a.threads, "Threads of each fit")->check(CLI::Range(1, 256));
   command.add_flag("--until-empty", a.until_empty, "End once no job waits");
 }
@@ -40,10 +48,13 @@ void add_key_options(CLI::App& command, KeyArguments& a) {
       ->required()
       ->check(CLI::IsMember({"add", "list", "revoke"}));
   command.add_option("WHAT", a.what, "Name of the key to add, or id of the one to revoke");
-  one_each(
-      command.add_option("--scope", a.scopes,
-                         "What the key may do: submit, read, review or admin; repeat for more"))
-      ->check(CLI::IsMember({"submit", "read", "review", "admin"}));
+  std::vector<std::string> scopes;
+  scopes.reserve(kScopes.size());
+  for (const Scope scope : kScopes) scopes.emplace_back(name_of(scope));
+  one_each(command.add_option(
+               "--scope", a.scopes,
+               "What the key may do: submit, read, review, work or admin; repeat for more"))
+      ->check(CLI::IsMember(scopes));
   add_place_options(command, a.place);
 }
 
@@ -80,6 +91,7 @@ ReadConfig read_config_of(const ServicePlace& place) {
   };
   if (place.data) read.config.data = *place.data, said("data", place.data->string());
   if (place.store) read.config.store = *place.store, said("store", shown_store(*place.store));
+  if (place.server) read.config.server = *place.server, said("server", *place.server);
   read.config.check();
   return read;
 }

@@ -17,7 +17,7 @@ namespace regarment {
 /// Where the service is: what its commands have in common.
 struct ServicePlace {
   std::optional<std::filesystem::path> config, data;
-  std::optional<std::string> store;
+  std::optional<std::string> store, server;
 };
 
 /// regarment serve
@@ -59,6 +59,8 @@ struct DoctorArguments {
 
 /// Declares --config, --data and --store.
 void add_place_options(CLI::App& command, ServicePlace& place);
+/// Declares --server, for commands that are of no use to the server itself.
+void add_server_option(CLI::App& command, ServicePlace& place);
 
 // Declare the options of a command.
 void add_serve_options(CLI::App& command, ServeArguments& a);

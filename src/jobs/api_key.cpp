@@ -1,7 +1,6 @@
 #include "jobs/api_key.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "base/error.h"
@@ -11,7 +10,8 @@
 namespace regarment {
 namespace {
 
-constexpr std::array<std::string_view, 4> kScopeNames = {"submit", "read", "review", "admin"};
+constexpr std::array<std::string_view, kScopes.size()> kScopeNames = {"submit", "read", "review",
+                                                                      "work", "admin"};
 constexpr std::string_view kPrefix = "rgm_";
 constexpr std::size_t kIdBytes = 6, kSecretBytes = 32;
 constexpr std::size_t kIdEnd = kPrefix.size() + 2 * kIdBytes;
@@ -50,7 +50,7 @@ std::string issue_key(JobStore& store, const std::string& name, const std::vecto
   if (name.empty() || name.size() > kLongestName) {
     throw UsageError("a key needs a name of 1 to 100 characters, so that people can tell it apart");
   }
-  if (scopes.empty()) throw UsageError("a key needs a scope: submit, read, review or admin");
+  if (scopes.empty()) throw UsageError("a key needs a scope: submit, read, review, work or admin");
   const std::string id = random_hex(kIdBytes), secret = random_hex(kSecretBytes);
   store.add_key({id, name, scopes, {}, {}}, key_hash(secret));
   return std::string(kPrefix) + id + "_" + secret;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,8 +13,11 @@ namespace regarment {
 class JobStore;
 
 /// What a key may do. Read: see jobs and results. Submit: make, change and remove its own jobs.
-/// Review: give verdicts and corrections. Admin: everything, of everybody's.
-enum class Scope { Submit, Read, Review, Admin };
+/// Review: give verdicts and corrections. Work: fetch the files of jobs that a worker has claimed,
+/// and deliver their results. Admin: everything, of everybody's.
+enum class Scope { Submit, Read, Review, Work, Admin };
+inline constexpr std::array kScopes = {Scope::Submit, Scope::Read, Scope::Review, Scope::Work,
+                                       Scope::Admin};
 std::string_view name_of(Scope scope);
 std::optional<Scope> scope_named(std::string_view name);
 

@@ -32,23 +32,36 @@ std::string without_name(std::string line) {
 /// One attempt, from the start of its child to its end.
 class Attempt {
  public:
-  Attempt(const Claim& claim, JobStore& store, const JobFolders& folders,
-          const WorkerOptions& options, const std::function<bool()>& wanted)
-      : job_(claim.job),
-        token_(claim.token),
+  Attempt(const Claim& claim, JobStore& store, JobFiles& files, const WorkerOptions& options,
+          const std::function<bool()>& wanted)
+      : claim_(claim),
+        job_(claim_.job),
+        token_(claim_.token),
         store_(store),
-        folders_(folders),
+        files_(files),
+        folders_(files.folders()),
         options_(options),
         wanted_(wanted),
         progress_(claim.job.kind) {}
 
+  ~Attempt() { files_.forget(claim_); }
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+
   void run() {
     try {
-      folders_.remove_leftovers(job_.id, -1);
+      files_.fetch(claim_, store_, goes_on_);
       const auto command = job_command(job_, folders_, store_, options_.program, options_.threads);
       ChildProcess child(command,
                          {options_.time, options_.memory_mb << 20U, options_.file_mb << 20U});
       watch(child);
+    } catch (const Stopped&) {
+      leave();
+    } catch (const ClaimLost&) {
+      clear_away();
+    } catch (const NoAccess&) {
+      until_told([&] { store_.hand_back(job_.id, token_); });
+      throw;
     } catch (const TemporaryError& error) {
       conclude({AttemptEnd::Kind::TryAgain, {"temporary", error.what()}});
     } catch (const ReadError& error) {
@@ -66,13 +79,15 @@ class Attempt {
       child.look_after();
       const bool over = child.ended(end);
       listen(child);
-      if (over) return conclude(end_of(end));
-      if (time_to_go())
-        answer_ = LeaseAnswer::Lost;
-      else
-        beat();
-      if (answer_ != LeaseAnswer::Go) return stop(child);
+      if (over) return conclude(delivered(end_of(end)));
+      if (!goes_on()) return stop(child);
     }
+  }
+
+  // The end, once the result of a success is where clients find it.
+  AttemptEnd delivered(AttemptEnd end) {
+    if (end.kind == AttemptEnd::Kind::Succeeded) bytes_ = files_.deliver(claim_, goes_on_);
+    return end;
   }
 
   // Its last line that is no progress is what it has to say should it fail.
@@ -121,6 +136,15 @@ class Attempt {
     }
   }
 
+  // Whether the job is still ours to do; the store hears of us meanwhile.
+  bool goes_on() {
+    if (time_to_go())
+      answer_ = LeaseAnswer::Lost;
+    else
+      beat();
+    return answer_ == LeaseAnswer::Go;
+  }
+
   // Whether what a worker asked to stop may still take is over.
   bool time_to_go() {
     if (!leave_at_ && !wanted_()) leave_at_ = Clock::now() + options_.grace;
@@ -137,6 +161,10 @@ class Attempt {
       child.look_after();
     }
     child.signal(SIGKILL);
+    leave();
+  }
+
+  void leave() {
     if (going_) {
       until_told([&] { store_.hand_back(job_.id, token_); });
     } else if (answer_ == LeaseAnswer::Cancel) {
@@ -151,7 +179,7 @@ class Attempt {
     until_told([&] {
       switch (end.kind) {
         case AttemptEnd::Kind::Succeeded:
-          ours = store_.succeed(job_.id, token_, folders_.bytes(job_.id));
+          ours = store_.succeed(job_.id, token_, bytes_);
           break;
         case AttemptEnd::Kind::Failed:
           store_.fail(job_.id, token_, end.error);
@@ -194,10 +222,13 @@ class Attempt {
     }
   }
 
-  const Job job_;
+  const Claim claim_;
+  const Job& job_;
   const std::int64_t token_;
   JobStore& store_;
+  JobFiles& files_;
   const JobFolders& folders_;
+  const JobFiles::KeepGoing goes_on_ = [this] { return goes_on(); };
   const WorkerOptions& options_;
   const std::function<bool()>& wanted_;
   JobProgress progress_;
@@ -206,6 +237,7 @@ class Attempt {
   std::optional<Clock::time_point> leave_at_;
   Clock::time_point beaten_ = Clock::now(), told_{};
   std::string stage_, last_words_;
+  std::uint64_t bytes_ = 0;  // of a success: what its files take
 };
 
 }  // namespace
@@ -255,9 +287,9 @@ AttemptEnd attempt_end(const ChildEnd& end, const WorkerOptions& options) {
   }
 }
 
-void run_attempt(const Claim& claim, JobStore& store, const JobFolders& folders,
-                 const WorkerOptions& options, const std::function<bool()>& wanted) {
-  Attempt(claim, store, folders, options, wanted).run();
+void run_attempt(const Claim& claim, JobStore& store, JobFiles& files, const WorkerOptions& options,
+                 const std::function<bool()>& wanted) {
+  Attempt(claim, store, files, options, wanted).run();
 }
 
 }  // namespace regarment

@@ -22,8 +22,8 @@ AttemptEnd attempt_end(const ChildEnd& end, const WorkerOptions& options);
 /// Does the job of a claim in a child process and tells the store what became of it, all under the
 /// claim's token. `wanted` false: the job may take `grace` more, then it is handed back. Waits
 /// while the store is away; when that is for longer than a lease, the job is left to whoever comes
-/// next.
-void run_attempt(const Claim& claim, JobStore& store, const JobFolders& folders,
-                 const WorkerOptions& options, const std::function<bool()>& wanted);
+/// next. Throws NoAccess once the job is handed back.
+void run_attempt(const Claim& claim, JobStore& store, JobFiles& files, const WorkerOptions& options,
+                 const std::function<bool()>& wanted);
 
 }  // namespace regarment

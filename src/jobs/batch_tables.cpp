@@ -79,16 +79,22 @@ BatchTables write_batch_tables(const Job& job, const JobFolders& folders, JobSto
   }
   if (results.size() == nothing)
     throw UsageError("no fit of the batch has a result; evaluate it once one has");
+  BatchTables tables = batch_tables(job, folders);
+  std::error_code ignored;
+  fs::create_directory(tables.results.parent_path(), ignored);
+  replace_file(tables.results, results);
+  if (tables.truth.parent_path() != tables.results.parent_path()) return tables;
+  if (truth.size() == no_truth)
+    throw UsageError("no scan of the batch came with its true sizes; send a table of them");
+  replace_file(tables.truth, truth);
+  return tables;
+}
+
+BatchTables batch_tables(const Job& job, const JobFolders& folders) {
   const fs::path folder = folders.job(job.id), sent = folder / "truth.csv";
   const fs::path tables = folder / "tables";
   std::error_code ignored;
-  fs::create_directory(tables, ignored);
-  write_file(tables / "results.csv", results);
-  if (fs::is_regular_file(sent, ignored)) return {sent, tables / "results.csv"};
-  if (truth.size() == no_truth)
-    throw UsageError("no scan of the batch came with its true sizes; send a table of them");
-  write_file(tables / "truth.csv", truth);
-  return {tables / "truth.csv", tables / "results.csv"};
+  return {fs::is_regular_file(sent, ignored) ? sent : tables / "truth.csv", tables / "results.csv"};
 }
 
 }  // namespace regarment

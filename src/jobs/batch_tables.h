@@ -21,4 +21,7 @@ struct BatchTables {
 /// deleted meanwhile are left out. Throws UsageError when there is no result, or no truth.
 BatchTables write_batch_tables(const Job& job, const JobFolders& folders, JobStore& store);
 
+/// Where these lie once they are written.
+BatchTables batch_tables(const Job& job, const JobFolders& folders);
+
 }  // namespace regarment

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/one_line.h"
+#include "http/address.h"
 #include "jobs/job_store.h"
 
 namespace regarment {
@@ -22,6 +23,8 @@ constexpr double kYear = 366 * 24 * 3600.0;
 constexpr std::array kFields = {
     ConfigField{"data", &C::data},
     ConfigField{"store", &C::store},
+    ConfigField{"server", &C::server},
+    ConfigField{"server_key", &C::server_key},
     ConfigField{"bind", &C::bind},
     ConfigField{"port", &C::port, 0, 65535},
     ConfigField{"http_threads", &C::http_threads, 1, 64},
@@ -93,6 +96,11 @@ void ConfigField::check(const ServiceConfig& config, const std::string& where) c
   if (std::string_view(name) == "data" && config.data.empty()) {
     throw UsageError(where + ": is empty; give a folder");
   }
+  if (std::string_view(name) == "server" && !config.server.empty()) try {
+      HttpAddress::parse(config.server);
+    } catch (const UsageError& error) {
+      throw UsageError(where + ": " + error.what());
+    }
 }
 
 std::string ConfigField::text(const ServiceConfig& config) const {
@@ -105,6 +113,7 @@ std::string ConfigField::text(const ServiceConfig& config) const {
         } else if constexpr (std::is_same_v<Value, std::filesystem::path>) {
           return value.string();
         } else {
+          if (std::string_view(name) == "server_key") return value.empty() ? "not set" : "set";
           return std::string_view(name) == "store" ? shown_store(value) : value;
         }
       },

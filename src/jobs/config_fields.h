@@ -24,7 +24,7 @@ struct ConfigField {
   void set(ServiceConfig& config, const std::string& text, const std::string& where) const;
   /// Throws UsageError that begins with `where` when the value is out of range.
   void check(const ServiceConfig& config, const std::string& where) const;
-  /// Its value, fit to be shown: without a password.
+  /// Its value, fit to be shown: without a password, and of a key only whether it is set.
   std::string text(const ServiceConfig& config) const;
 };
 

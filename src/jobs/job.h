@@ -87,6 +87,11 @@ struct Job {
   std::optional<JobError> error;
   std::optional<Review> review;
   std::uint64_t bytes = 0;  // its folder takes on disk, as last told
+
+  /// Whether a worker has it under this token.
+  bool is_held_under(std::int64_t claim) const {
+    return state == JobState::Running && token == claim;
+  }
 };
 
 /// Something that happened to a job. Numbers rise by one from 1 in each job.

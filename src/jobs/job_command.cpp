@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "jobs/batch_tables.h"
+#include "jobs/job_inputs.h"
 #include "jobs/job_options.h"
-#include "jobs/job_store.h"
 
 namespace regarment {
 namespace {
@@ -35,23 +35,13 @@ void add_fit(const Job& job, const JobFolders& folders, Words& words) {
   if (is_file(folder / "labels.u8")) add(words, "--ground-truth-labels", folder / "labels.u8");
 }
 
-void add_refit(const Job& job, const JobFolders& folders, JobStore& store, Words& words) {
-  const auto source = store.find(job.source);
-  if (!source || source->state != JobState::Succeeded) {
-    throw UsageError(
-        "the job whose result this one begins from has none, or is deleted; submit the "
-        "scan again");
-  }
-  words.push_back(folders.result(*source));
-}
-
-void add_evaluate(const Job& job, const JobFolders& folders, JobStore& store, Words& words) {
+void add_evaluate(const Job& job, const JobFolders& folders, Words& words) {
+  const fs::path folder = folders.job(job.id);
   if (!job.batch.empty()) {
-    const BatchTables tables = write_batch_tables(job, folders, store);
+    const BatchTables tables = batch_tables(job, folders);
     words.push_back(tables.truth);
     return add(words, "--estimates", tables.results);
   }
-  const fs::path folder = folders.job(job.id);
   if (!is_file(folder / "truth.csv")) {
     throw ReadError("the evaluation has no table in its folder; send the table again");
   }
@@ -75,13 +65,13 @@ std::vector<std::string> job_command(const Job& job, const JobFolders& folders, 
       add_fit(job, folders, words);
       break;
     case JobKind::Refit:
-      add_refit(job, folders, store, words);
+      words.push_back(folders.result(source_of(job, store)));
       break;
     case JobKind::Render:
       words.push_back(folders.scan(job.id));
       break;
     case JobKind::Evaluate:
-      add_evaluate(job, folders, store, words);
+      add_evaluate(job, folders, words);
       break;
   }
   add(words, "--out", folders.result(job));

@@ -12,9 +12,9 @@ namespace regarment {
 class JobStore;
 
 /// The command of the program that does a job, its result going to `folders.result(job)`: `program`
-/// (absolute), the job's kind, options that tell how far it is as JSON, and what the job's folder
-/// holds. Throws ReadError when its scan or table is not there, UsageError for options that are
-/// none and for a `source` that has no result.
+/// (absolute), the job's kind, options that tell how far it is as JSON, and what its prepared
+/// inputs (job_inputs.h) are. Throws ReadError when its scan or table is not there, UsageError for
+/// options that are none and for a `source` that has no result.
 std::vector<std::string> job_command(const Job& job, const JobFolders& folders, JobStore& store,
                                      const std::filesystem::path& program, int threads);
 

@@ -2,8 +2,10 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 
 #include "base/error.h"
 #include "base/one_line.h"
@@ -14,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kDelivery = "delivery-";
 constexpr std::array kScanEndings = {"ply", "obj", "off", "stl", "glb", "gltf"};
 
 // Scans are personal: nobody but the service reads them.
@@ -58,6 +61,10 @@ fs::path JobFolders::result(std::string_view id, std::int64_t token) const {
   return this->job(id) / ("result-" + std::to_string(token));
 }
 
+fs::path JobFolders::delivery(std::string_view id, std::int64_t token) const {
+  return data_ / "incoming" / (std::string(kDelivery) + checked(id) + "-" + std::to_string(token));
+}
+
 fs::path JobFolders::scan(std::string_view id) const {
   for (const char* ending : kScanEndings) {
     fs::path file = job(id) / ("scan." + std::string(ending));
@@ -65,6 +72,20 @@ fs::path JobFolders::scan(std::string_view id) const {
     if (fs::is_regular_file(file, ignored)) return file;
   }
   throw ReadError("job " + checked(id) + " has no scan in its folder; send the scan again");
+}
+
+std::optional<std::pair<std::string, std::int64_t>> JobFolders::claim_of_delivery(
+    std::string_view name) {
+  if (!name.starts_with(kDelivery)) return std::nullopt;
+  name.remove_prefix(kDelivery.size());
+  const std::size_t dash = std::min(name.find('-'), name.size());
+  const std::string_view id = name.substr(0, dash),
+                         number = name.substr(std::min(dash + 1, name.size()));
+  std::int64_t token = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), token);
+  if (!is_job_id(id) || error != std::errc() || end != number.data() + number.size())
+    return std::nullopt;
+  return std::pair(std::string(id), token);
 }
 
 fs::path JobFolders::begin_upload(std::string_view id) const {

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "jobs/job.h"
 
@@ -11,6 +13,7 @@ namespace regarment {
 
 /// Where the files of jobs lie, below one folder DATA:
 ///   DATA/incoming/ID/   an upload not yet queued; sweep_data removes what a crash left there
+///   DATA/incoming/delivery-ID-N/   what came so far of a result that a worker delivers by HTTP
 ///   DATA/jobs/ID/       scan.EXT     the scan as it was sent (ply, obj, off, stl, glb, gltf)
 ///                       truth.csv    the true dimensions, where given
 ///                       labels.u8    the true labels, where given
@@ -34,6 +37,11 @@ class JobFolders {
   /// The result of a job that succeeded. What other result folders there are does not count.
   std::filesystem::path result(const Job& job) const;
   std::filesystem::path result(std::string_view id, std::int64_t token) const;
+  /// Where the result of a claim arrives before it is whole.
+  std::filesystem::path delivery(std::string_view id, std::int64_t token) const;
+  /// Job and token of a folder named as `delivery` names them; nothing for other names.
+  static std::optional<std::pair<std::string, std::int64_t>> claim_of_delivery(
+      std::string_view name);
   /// The one file scan.* of a job. Throws ReadError when there is none.
   std::filesystem::path scan(std::string_view id) const;
 

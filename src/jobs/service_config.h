@@ -15,6 +15,9 @@ namespace regarment {
 struct ServiceConfig {
   std::filesystem::path data = "regarment-data";  // folder of all files
   std::string store;                     // job store (job_store.h); empty: SQLite in `data`
+  std::string server;                    // of a worker: http(s)://HOST:PORT of the server that has
+                                         // the files; empty: it shares `data` with the server
+  std::string server_key;                // API key for it, of the scope "work"; empty: none
   std::string bind = "127.0.0.1";        // address; any other than a loopback one needs an API key
   int port = 8080;                       // 0: any that is free
   int http_threads = 2;                  // of the server, 1 to 64

@@ -31,6 +31,10 @@ JobTime changed(const fs::path& folder) {
 bool is_abandoned(JobStore& store, const fs::path& folder, JobTime now) {
   const std::string name = folder.filename().string();
   if (name.starts_with("removed-")) return true;
+  if (const auto claim = JobFolders::claim_of_delivery(name)) {
+    const auto job = store.find(claim->first);
+    return !job || !job->is_held_under(claim->second);
+  }
   return is_job_id(name) && changed(folder) + kAbandoned <= now && !store.find(name);
 }
 

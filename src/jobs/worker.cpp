@@ -77,7 +77,7 @@ WorkerOptions WorkerOptions::from(const ServiceConfig& config) {
   return out;
 }
 
-void run_worker(JobStore& store, const JobFolders& folders, const WorkerOptions& given,
+void run_worker(JobStore& store, JobFiles& files, const WorkerOptions& given,
                 const std::function<bool()>& wanted) {
   WorkerOptions options = given;
   if (options.host.empty()) options.host = machine_name();
@@ -89,12 +89,15 @@ void run_worker(JobStore& store, const JobFolders& folders, const WorkerOptions&
   while (wanted()) {
     try {
       pulse.beat();
+      files.check(wanted);
       if (const auto claim = store.claim(pulse.id(), options.lease, options.max_attempts)) {
-        run_attempt(*claim, store, folders, options, wanted);
+        run_attempt(*claim, store, files, options, wanted);
         continue;
       }
       if (options.until_empty && nothing_waits(store)) return;
       std::this_thread::sleep_for(options.poll);
+    } catch (const Stopped&) {
+      return;
     } catch (const TemporaryError&) {
       std::this_thread::sleep_for(kStoreRetry);
     }

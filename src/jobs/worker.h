@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "jobs/job_folder.h"
+#include "jobs/job_files.h"
 #include "jobs/job_store.h"
 #include "jobs/service_config.h"
 
@@ -44,8 +44,9 @@ struct WorkerOptions {
 /// Runs jobs one after the other, each in a child process of its own, until `wanted` answers false:
 /// then the running job may finish within `grace`, else it is handed back. A result folder appears
 /// whole, and counts only when the store took it under this worker's token. Store failures are
-/// waited out. One call per process at a time. Throws UsageError when the program is not there.
-void run_worker(JobStore& store, const JobFolders& folders, const WorkerOptions& options,
+/// waited out, and so is a server of files that is away; while one is, nothing is claimed. One call
+/// per process at a time. Throws UsageError when the program is not there, and NoAccess.
+void run_worker(JobStore& store, JobFiles& files, const WorkerOptions& options,
                 const std::function<bool()>& wanted);
 
 }  // namespace regarment

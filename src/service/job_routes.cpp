@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "jobs/file_names.h"
 #include "pages/verdict_json.h"
 #include "report/files.h"
 #include "report/result.h"
@@ -36,7 +37,7 @@ bool has_report(JobKind kind) { return kind == JobKind::Fit || kind == JobKind::
 
 std::vector<std::string> files_of(const Service& service, const Job& job) {
   if (job.state != JobState::Succeeded) return {};
-  return result_names(service.folders.result(job));
+  return file_names(service.folders.result(job));
 }
 
 Response answer_job(const Service& service, const Call& call, const Job& job, int status = 200) {

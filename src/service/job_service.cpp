@@ -37,7 +37,7 @@ std::string log_line(std::string_view level, std::string_view event,
 JobService::JobService(const Service& service, std::ostream& log)
     : access_(service.store), log_(log) {
   for (auto& routes : {fact_routes(service, metrics_), job_routes(service), batch_routes(service),
-                       session_routes(access_), page_routes()})
+                       work_routes(service), session_routes(access_), page_routes()})
     add(routes);
 }
 

@@ -1,6 +1,5 @@
 #include "service/result_files.h"
 
-#include <algorithm>
 #include <array>
 
 namespace regarment {
@@ -36,21 +35,6 @@ constexpr const char* kPagePolicy =
 constexpr const char* kPicturePolicy = "default-src 'none'; style-src 'unsafe-inline'; sandbox";
 
 }  // namespace
-
-std::vector<std::string> result_names(const fs::path& folder) {
-  std::vector<std::string> out;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder, error);
-  for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
-    const bool hidden = entry->path().filename().string().starts_with('.');
-    if (hidden) entry.disable_recursion_pending();
-    std::error_code ignored;
-    if (!hidden && fs::is_regular_file(entry->symlink_status(ignored)))
-      out.push_back(entry->path().lexically_relative(folder).string());
-  }
-  std::sort(out.begin(), out.end());
-  return out;
-}
 
 Response result_file(const Request& request, const fs::path& folder,
                      const std::vector<std::string>& segments) {

@@ -8,9 +8,6 @@
 
 namespace regarment {
 
-/// Names of the files below `folder`, with "/" between, sorted; hidden ones and links are left out.
-std::vector<std::string> result_names(const std::filesystem::path& folder);
-
 /// A file of a result folder, for the segments that a client named. Pages get a policy under which
 /// their own scripts run and nothing else. Throws HttpProblem 404 "no_such_file".
 Response result_file(const Request& request, const std::filesystem::path& folder,

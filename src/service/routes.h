@@ -17,6 +17,9 @@ std::vector<Route> job_routes(const Service& service);
 /// /v1/batches and /v1/evaluations.
 std::vector<Route> batch_routes(const Service& service);
 
+/// /v1/work: what a worker without the folder of the files asks for (jobs/server_files.h).
+std::vector<Route> work_routes(const Service& service);
+
 /// /v1/templates, /healthz, /readyz, /metrics, /version, /openapi.json.
 std::vector<Route> fact_routes(const Service& service, const Metrics& metrics);
 

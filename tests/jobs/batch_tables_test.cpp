@@ -90,6 +90,17 @@ TEST_F(BatchTablesTest, TakeTheTableThatWasSent) {
   EXPECT_EQ(write_batch_tables(job, folders_, *store_).truth, sent);
 }
 
+TEST_F(BatchTablesTest, AreWrittenAnewByAnotherAttempt) {
+  finish("a.ply", 50, 54.0);
+  const BatchTables first = write();
+  store_->claim("w", 1min, 3);  // the evaluation, so that the next claim is of the fit
+  const std::string again = finish("a.ply", 51, 54.0);
+  const BatchTables second = write_batch_tables(job_, folders_, *store_);
+  EXPECT_EQ(second.results, first.results);
+  EXPECT_EQ(read(second.results).cell(0, "report"), "/v1/jobs/" + again + "/report");
+  EXPECT_EQ(batch_tables(job_, folders_).truth, second.truth);
+}
+
 TEST_F(BatchTablesTest, LeaveOutWhatIsDeletedAndOtherBatches) {
   const std::string gone = finish("a.ply", 50, 54.0);
   finish("b.ply", 60, 61.0);

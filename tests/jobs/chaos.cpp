@@ -321,7 +321,8 @@ int be_a_worker(const fs::path& data, const fs::path& program) {
   options.pause = 0ms;
   options.memory_mb = 0;
   const auto store = patiently([&] { return open_job_store(config.store_or_default()); });
-  run_worker(*store, JobFolders(data), options, [] { return true; });
+  SharedFiles files{JobFolders(data)};
+  run_worker(*store, files, options, [] { return true; });
   return 0;
 }
 

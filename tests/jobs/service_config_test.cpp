@@ -79,6 +79,19 @@ TEST_F(ServiceConfigTest, RefusesWrongValuesInOneLine) {
   EXPECT_EQ(refusal(""), "REGARMENT_WORKERS: 'many' is not a number from 0 to 256");
 }
 
+TEST_F(ServiceConfigTest, ShowsNoKeyAndTakesOnlyAddressesOfServers) {
+  environment_ = {{"REGARMENT_SERVER_KEY", "rgm_secret"}};
+  const ReadConfig out = read("server = \"https://studio\"\n");
+  EXPECT_EQ(out.config.server_key, "rgm_secret");
+  EXPECT_EQ(from(out, "server_key"), "set environment");
+  EXPECT_EQ(from(out, "server"), "https://studio file");
+  environment_.clear();
+  EXPECT_EQ(from(read(""), "server_key"), "not set default");
+  const std::string said = refusal("server = \"http://me:secret@studio\"");
+  EXPECT_NE(said.find("line 1: server: "), std::string::npos);
+  EXPECT_EQ(said.find("secret"), std::string::npos);
+}
+
 TEST_F(ServiceConfigTest, NeedsTheFileItWasGiven) {
   EXPECT_THROW(read_service_config("/nowhere/service.toml"), ReadError);
 }

@@ -44,13 +44,14 @@ class WorkerTest : public testing::Test {
     return job.id;
   }
   Job run(const std::string& id) {
-    run_worker(*store_, folders_, options_, [] { return true; });
+    run_worker(*store_, files_, options_, [] { return true; });
     return *store_->find(id);
   }
   std::vector<std::string> files(const std::string& id) { return names_in(folders_.job(id)); }
 
   TemporaryFolder folder_;
   JobFolders folders_{folder_.path() / "data"};
+  SharedFiles files_{folders_};
   std::unique_ptr<JobStore> store_ = open_job_store(folders_.default_store().string());
   WorkerOptions options_;
 };
@@ -148,7 +149,7 @@ TEST_F(WorkerTest, KillsTheGroupOfACancelledJob) {
   options_.lease = 40ms;  // a heartbeat every 10 ms
   const std::string id = queue();
   const fs::path pid_file = folders_.job(id) / "result-1.pid";
-  run_worker(*store_, folders_, options_, [&] {
+  run_worker(*store_, files_, options_, [&] {
     if (fs::exists(pid_file) && fs::file_size(pid_file) > 0) store_->cancel(id);
     return true;
   });
@@ -167,7 +168,7 @@ TEST_F(WorkerTest, LeavesAJobThatWasDeleted) {
   options_.lease = 40ms;
   const std::string id = queue();
   const fs::path began = folders_.job(id) / "result-1.began";
-  run_worker(*store_, folders_, options_, [&] {
+  run_worker(*store_, files_, options_, [&] {
     if (fs::exists(began)) store_->remove(id), folders_.remove(id);
     return true;
   });
@@ -180,7 +181,7 @@ TEST_F(WorkerTest, HandsItsJobBackWhenItMustGo) {
   options_.grace = 1ms;
   const std::string id = queue();
   const fs::path began = folders_.job(id) / "result-1.began";
-  run_worker(*store_, folders_, options_, [&] { return !fs::exists(began); });
+  run_worker(*store_, files_, options_, [&] { return !fs::exists(began); });
   const auto job = store_->find(id);
   EXPECT_EQ(job->state, JobState::Queued);
   EXPECT_EQ(job->attempts, 0);
@@ -191,7 +192,7 @@ TEST_F(WorkerTest, FinishesAJobWithinItsGrace) {
   options_.grace = 60s;
   const std::string id = queue();
   const fs::path began = folders_.job(id) / "result-1.began";
-  run_worker(*store_, folders_, options_, [&] { return !fs::exists(began); });
+  run_worker(*store_, files_, options_, [&] { return !fs::exists(began); });
   EXPECT_EQ(store_->find(id)->state, JobState::Succeeded);
 }
 

@@ -1,9 +1,11 @@
 """Every route of schemas/openapi.json is answered as the description says, status and body."""
+import hashlib
 import json
 import os
+import sqlite3
 import sys
 
-from running_service import SOURCE, Service, finish, form, scan_form
+from running_service import SCAN, SOURCE, Service, finish, form, scan_form
 
 with open(os.path.join(SOURCE, "schemas", "openapi.json")) as file:
     API = json.load(file)
@@ -88,6 +90,51 @@ def ask(service, method, pattern, wanted, body=None, headers=None, query="", **n
     return fields, value
 
 
+def claim(service, job):
+    """What a worker's claim of this job is to the store."""
+    with sqlite3.connect(os.path.join(service.data, "store.sqlite3")) as store:
+        store.execute("UPDATE jobs SET state = 'running', token = 1 WHERE id = ?", (job,))
+
+
+def hand_back(service, job):
+    with sqlite3.connect(os.path.join(service.data, "store.sqlite3")) as store:
+        store.execute("UPDATE jobs SET state = 'queued' WHERE id = ?", (job,))
+
+
+def check_work(service, job):
+    """What a worker asks for that does not share the service's folder."""
+    names, query = {"id": job}, "?token=1"
+    ask(service, "GET", "/v1/work", 200)
+    ask(service, "POST", "/v1/work/{id}/start", 409, query=query, **names)
+    claim(service, job)
+    ask(service, "POST", "/v1/work/{id}/start", 400, **names)
+    _, list_ = ask(service, "POST", "/v1/work/{id}/start", 200, query=query, **names)
+    with open(SCAN, "rb") as file:
+        scan = file.read()
+    if list_["files"] != [{"name": job + "/scan.ply", "bytes": len(scan),
+                           "sha256": hashlib.sha256(scan).hexdigest()}]:
+        failures.append(f"not what the job reads: {list_}")
+    path = "/v1/work/{id}/files/{file}"
+    _, sent = ask(service, "GET", path, 200, query=query, file=job + "/scan.ply", **names)
+    if sent != scan:
+        failures.append("another scan than was sent")
+    ask(service, "GET", path, 206, query=query, file=job + "/scan.ply", **names,
+        headers={"Range": "bytes=1-2"})
+    ask(service, "GET", path, 404, query=query, file=job + "/none", **names)
+    path = "/v1/work/{id}/result/{file}"
+    hashed = query + "&sha256=" + hashlib.sha256(b"report").hexdigest()
+    ask(service, "PUT", path, 204, b"report", query=hashed, file="report.html", **names)
+    ask(service, "PUT", path, 422, b"retort", query=hashed, file="report.html", **names)
+    ask(service, "PUT", path, 400, b"report", query=hashed, file=".hidden", **names)
+    path = "/v1/work/{id}/result"
+    files = {"files": [{"name": "report.html", "bytes": 6}]}
+    ask(service, "POST", path, 400, {}, query=query, **names)
+    ask(service, "POST", path, 409, {"files": files["files"] * 2 + [{"name": "x", "bytes": 1}]},
+        query=query, **names)
+    ask(service, "POST", path, 200, files, query=query, **names)
+    hand_back(service, job)
+
+
 with Service("--workers", "0") as service:
     for path in ("/healthz", "/version", "/openapi.json", "/metrics", "/v1/templates",
                  "/v1/batches", "/v1/jobs"):
@@ -152,6 +199,7 @@ with Service("--workers", "0") as service:
     ask(service, "POST", "/v1/jobs", 202, obj, raw, "?garments=skirt&filename=a.obj&name=A")
     ask(service, "POST", "/v1/jobs", 415, obj, raw, "?garments=skirt")
 
+    check_work(service, job["id"])
     for name in ("refit", "review"):
         body = {"options": {}, "verdict": "accepted"}
         ask(service, "POST", "/v1/jobs/{id}/" + name, 409, body, id=job["id"])
