@@ -20,7 +20,7 @@ constexpr double kOneGarment = 1.5, kTwoGarments = 4, kRefit = 1, kLargeScan = 4
 constexpr double kReport = 0.5;                                                    // s
 constexpr double kMemory = 1024;                                                   // MiB
 constexpr double kLarge = 9e5;                                                     // vertices
-constexpr int kStarts = 20;
+constexpr std::size_t kStarts = 20;
 
 void add_stages(const std::vector<FitTimes>& fits, Bench& bench) {
   for (const std::string stage : {"read", "prepare", "place", "measure", "report"}) {
@@ -112,16 +112,15 @@ BenchRow fit_row(const BenchScan& scan, const std::vector<double>& seconds) {
 
 void measure_layers(const BenchOptions& options, const FitTimer& timer, Bench& bench) {
   if (!options.layers) return;
-  std::vector<double> wall;
-  for (int i = 0; i < options.repeats; ++i)
-    wall.push_back(timer.fit(*options.layers, "joint").wall);
+  std::vector<double> wall(static_cast<std::size_t>(options.repeats));
+  for (double& seconds : wall) seconds = timer.fit(*options.layers, "joint").wall;
   bench.rows.push_back(fit_row(*options.layers, wall));
 }
 
 void measure_start(const FitTimer& timer, Bench& bench) {
-  std::vector<double> seconds;
-  for (int i = 0; i < kStarts; ++i) seconds.push_back(timer.start());
-  BenchRow row = median_row("start of the program: regarment --version", seconds);
+  std::vector<double> starts(kStarts);
+  for (double& seconds : starts) seconds = timer.start();
+  BenchRow row = median_row("start of the program: regarment --version", starts);
   row.value *= 1e3, row.unit = "ms";
   bench.rows.push_back(std::move(row));
 }

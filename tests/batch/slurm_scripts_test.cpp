@@ -113,8 +113,8 @@ TEST(SlurmScripts, SubmitTheArrayAndThenTheMerge) {
   EXPECT_EQ(end.last_line, "array 41, merge 41");
   const std::string words = "--parsable|" + options.words[0] + "|", folder = options.folder;
   EXPECT_EQ(bytes_of(home.path() / "words"), words + folder + "/array.sbatch|" + words +
-                                                "--dependency=afterany:41|" + folder +
-                                                "/merge.sbatch|");
+                                                 "--dependency=afterany:41|" + folder +
+                                                 "/merge.sbatch|");
 }
 
 }  // namespace
