@@ -110,6 +110,7 @@ class Page:
                  "how many workers ask for that much."),
             table("Parts and the workers that fill them",
                   ["Part", "Asked by a scan", "Scans/s", "Full at workers"], rows),
+            "<h3>How far more workers help</h3>"
             f'<div class="plots"><figure class="panel"><figcaption><b>Scans a second</b> by '
             f"workers: a straight line until a part is full</figcaption>{chart}</figure><div><h3>And then"
             f"</h3><ul class=\"remarks\">{remedies}</ul></div></div>")
