@@ -46,6 +46,7 @@ TEST(DifferencePlot, KeepsWildErrorsOnThePaper) {
   std::vector<PlotPoint> points(100, {50, 50.5, false});
   points.push_back({50, 9000, false});
   std::vector<Sample> samples;
+  samples.reserve(points.size());
   for (const PlotPoint& p : points) samples.push_back({p.truth_cm, p.estimate_cm, {}, {}});
   const std::string svg = difference_plot(points, error_statistics(samples));
   EXPECT_EQ(count(svg, "h0"), 101u);

@@ -195,7 +195,7 @@ TEST(MalformedTemplate, RefusesWhatIsNoJsonOrTooMuchOfIt) {
   EXPECT_EQ(message_of("3"), "bad.json: /: must be an object");
   EXPECT_EQ(message_of("{\"a\": 1, \"a\": 2}"), "bad.json: the key 'a' stands twice in one object");
   EXPECT_EQ(message_of(std::string(100000, '[')), "bad.json: nested more than 16 levels deep");
-  EXPECT_EQ(message_of(std::string(300 * 1024, ' ')),
+  EXPECT_EQ(message_of(std::string(std::size_t{300} * 1024, ' ')),
             "bad.json: larger than 256 KiB, too large for a garment template");
   EXPECT_EQ(message_of("\"\xff\xfe\""), "bad.json: not JSON: syntax error in line 1");
   EXPECT_EQ(message_of("1e999"),
