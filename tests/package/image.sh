@@ -1,13 +1,12 @@
 #!/bin/bash
 # Builds docker/Dockerfile and runs what it makes, with buildah alone (as root, no daemon): the image
-# fits its example with nothing but itself, says what it consists of, is healthy while it serves, and
-# does a job as server and worker of docker/compose.yaml do, in two containers over a PostgreSQL of
-# this machine. Its base, Debian 12 as docker.io has it, is made by mmdebstrap. Prints the image's size.
+# fits its example with nothing but itself, says what it consists of, and is healthy while it
+# serves. Its base, Debian 12 as docker.io has it, is made by mmdebstrap. Prints the image's size.
 set -eu
 cd "$(dirname "$0")/../.."
 scripts/install_packages.sh full
 folder=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; wait; buildah rm --all >/dev/null 2>&1; rm -rf --one-file-system "$folder"' EXIT
+trap 'buildah rm --all >/dev/null 2>&1; rm -rf --one-file-system "$folder"' EXIT
 export STORAGE_DRIVER=vfs
 buildah() { command buildah --root "$folder/storage" --runroot "$folder/run" "$@"; }
 mirror=$(sed -n 's/^URIs: *//p' /etc/apt/sources.list.d/debian.sources 2>/dev/null | head -1)
@@ -41,38 +40,6 @@ check=$(buildah inspect --format '{{index .Docker.Config.Healthcheck.Test 3}}' "
 in_image sh -c 'regarment serve --data /data --workers 1 >/tmp/serve.log 2>&1 & echo $! >/tmp/server
   for _ in $(seq 100); do grep -q listening /tmp/serve.log && break; sleep 0.1; done
   bash -c "$1"; healthy=$?; kill "$(cat /tmp/server)"; wait; exit $healthy' sh "$check"
-
-# Server, worker and store as in docker/compose.yaml; what they share is /data.
-port=54329
-programs=/usr/lib/postgresql/15/bin
-database() { setpriv --reuid=postgres --regid=postgres --init-groups "$programs/$1" -D "$folder/database" "${@:2}"; }
-chmod 755 "$folder"
-install -d -o postgres "$folder/database"
-database initdb --auth=trust --username=regarment --encoding=UTF8 >/dev/null
-database postgres -p $port -k "$folder/database" >"$folder/database.log" 2>&1 &
-"$programs/pg_isready" -q -h 127.0.0.1 -p $port -t 1 || until "$programs/pg_isready" -q -h 127.0.0.1 -p $port; do sleep 0.1; done
-install -d -o 10001 -m 700 "$folder/data"
-other=$(buildah from localhost/regarment)
-in_one() {
-  buildah run --isolation chroot --volume "$folder/data:/data" \
-    --env REGARMENT_STORE=postgresql://regarment@127.0.0.1:$port/postgres "$1" -- regarment "${@:2}"
-}
-key=$(in_one "$image" key add compose --scope submit --scope read | grep -o 'rgm_[^ ]*')
-in_one "$image" serve --bind 0.0.0.0 --port 18080 --workers 0 >"$folder/serve.log" 2>&1 &
-in_one "$other" worker --quiet >"$folder/worker.log" 2>&1 &
-until grep -q listening "$folder/serve.log"; do sleep 0.1; done
-ask() { curl -sS -H "Authorization: Bearer $key" "$@"; }
-job=$(ask -F scan=@examples/data/skirt-1.mesh.ply -F 'garments=["skirt"]' http://127.0.0.1:18080/v1/jobs |
-  python3 -c 'import json, sys; print(json.load(sys.stdin)["id"])')
-state=queued
-for _ in $(seq 600); do
-  state=$(ask "http://127.0.0.1:18080/v1/jobs/$job" | python3 -c 'import json, sys; print(json.load(sys.stdin)["state"])')
-  case $state in queued | running) sleep 0.2 ;; *) break ;; esac
-done
-[ "$state" = succeeded ] || { echo "the job ended as $state"; cat "$folder"/*.log; exit 1; }
-ask "http://127.0.0.1:18080/v1/jobs/$job/report.html" | grep -q '<title>'
-echo "a job went through a server, a worker and PostgreSQL"
-pkill -TERM -f 'regarment (serve --bind 0.0.0.0 --port 18080|worker --quiet)'
 
 size() { du -sm --apparent-size "$1" | cut -f1; }
 echo "image $(size "$root") MB, $(size "$(buildah mount "$base")") MB of it its base; the program $(stat -c %s "$root/usr/bin/regarment") bytes"
